@@ -1,0 +1,1 @@
+//! Scenes and helpers that the benches share.

@@ -1,0 +1,1 @@
+//! Scene, model and picture files: the only crate that touches the disc.

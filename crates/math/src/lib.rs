@@ -1,0 +1,19 @@
+//! Geometry, colour and chance: the ground that every other crate stands on. It knows nobody.
+//!
+//! Everything here gives the same bits on every machine: transcendental functions come from `libm`
+//! and nothing uses fused multiply-add. That is what lets a picture be the same on any computer.
+
+mod bounds;
+mod color;
+pub mod hash;
+mod power;
+mod ray;
+mod transform;
+pub mod warp;
+
+pub use bounds::Bounds3;
+pub use color::{ParseColorError, Rgb, linear_from_srgb, srgb_from_linear};
+pub use glam::{Affine3A, Mat3, Quat, Vec2, Vec3};
+pub use power::pow_unit;
+pub use ray::{Ray, offset_origin};
+pub use transform::{Axis, Transform, rotation_from_turn};

@@ -1,0 +1,94 @@
+//! What a scene takes from other files, once it has been read: models and pictures.
+
+use crate::Material;
+use std::collections::BTreeMap;
+use std::ops::Range;
+use std::path::PathBuf;
+use std::sync::{Arc, OnceLock};
+use vitrine_math::{Bounds3, Rgb, Vec2, Vec3, linear_from_srgb};
+
+/// Every model and picture that a scene names, by the path as the scene writes it.
+#[derive(Clone, Debug, Default)]
+pub struct Assets {
+    /// Models.
+    pub meshes: BTreeMap<PathBuf, Arc<TriangleMesh>>,
+    /// Pictures for textures, those of models' own materials included.
+    pub pictures: BTreeMap<PathBuf, Arc<Picture>>,
+}
+
+/// A model: triangles over shared vertices.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct TriangleMesh {
+    /// Vertices in object space, metres.
+    pub positions: Vec<Vec3>,
+    /// One for each vertex, of unit length, or zero where the file gives none; empty when it gives none at all.
+    pub normals: Vec<Vec3>,
+    /// One for each vertex: u to the right, v up; empty when the file gives none.
+    pub uvs: Vec<Vec2>,
+    /// Three indices of vertices each, counter-clockwise seen from outside.
+    pub triangles: Vec<[u32; 3]>,
+    /// Runs of triangles, in order, together all of them.
+    pub parts: Vec<MeshPart>,
+    /// The model's own materials.
+    pub materials: Vec<MeshMaterial>,
+}
+
+/// A run of a model's triangles with one name and one material.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeshPart {
+    /// The file's group or object name.
+    pub name: String,
+    /// Which triangles.
+    pub triangles: Range<usize>,
+    /// The index among [`TriangleMesh::materials`].
+    pub material: Option<usize>,
+}
+
+/// A material that came with a model.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeshMaterial {
+    /// The material; its `texture` stays empty.
+    pub material: Material,
+    /// The picture for its colour: a key of [`Assets::pictures`].
+    pub picture: Option<PathBuf>,
+}
+
+impl TriangleMesh {
+    /// The box around all vertices.
+    #[must_use]
+    pub fn bounds(&self) -> Bounds3 {
+        Bounds3::around(self.positions.iter().copied())
+    }
+
+    /// Bytes of the arrays.
+    #[must_use]
+    pub fn memory(&self) -> usize {
+        size_of_val(&*self.positions)
+            + size_of_val(&*self.normals)
+            + size_of_val(&*self.uvs)
+            + size_of_val(&*self.triangles)
+    }
+}
+
+/// A picture for a texture: 8-bit sRGB texels, row by row from the top.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Picture {
+    /// Width and height, neither 0.
+    pub size: [u32; 2],
+    /// `size[0] · size[1]` texels: red, green, blue.
+    pub texels: Vec<[u8; 3]>,
+}
+
+impl Picture {
+    /// A texel as a linear colour. `x` counts from the left, `y` from the top.
+    ///
+    /// # Panics
+    /// When the texel lies outside the picture.
+    #[must_use]
+    pub fn texel(&self, x: u32, y: u32) -> Rgb {
+        static LINEAR: OnceLock<[f32; 256]> = OnceLock::new();
+        let linear = LINEAR.get_or_init(|| std::array::from_fn(|v| linear_from_srgb(v as f32 / 255.0)));
+        let [r, g, b] = self.texels[y as usize * self.size[0] as usize + x as usize];
+        Rgb::new(linear[usize::from(r)], linear[usize::from(g)], linear[usize::from(b)])
+    }
+}

@@ -1,0 +1,147 @@
+//! The camera: where it stands, where it looks.
+
+use crate::{ParamKind, Range};
+use vitrine_math::{Axis, Mat3, Vec3, rotation_from_turn};
+
+crate::params! {
+    /// The eye. Not turned, it looks along −Z with Y up.
+    pub struct Camera {
+        /// Where it stands.
+        position: Vec3 = Vec3::new(0.0, 1.2, 6.0) => ParamKind::Vector(Range::ANY), Metres;
+        /// How it is turned about the world's X axis, then Y, then Z. Not together with look_at.
+        turn_deg: Option<Vec3> = None => ParamKind::Vector(Range::ANY), Degrees;
+        /// The point that it looks at, the picture's middle; Y stays up. Not together with turn_deg.
+        look_at: Option<Vec3> = None => ParamKind::Vector(Range::ANY), Metres;
+        /// The angle that the picture's height spans.
+        view_angle_deg: f32 = 50.0 => ParamKind::Number(Range::from_to(1.0, 170.0)), Degrees;
+    }
+}
+
+/// A fault of several parameters taken together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Fault {
+    /// The parameter to blame.
+    pub key: &'static str,
+    /// What is wrong.
+    pub message: &'static str,
+    /// How to mend it.
+    pub help: &'static str,
+}
+
+impl Camera {
+    /// From camera space (−Z forward, Y up) to world space. Its columns are the camera's right, up and back.
+    #[must_use]
+    pub fn rotation(&self) -> Mat3 {
+        match (self.look_at, self.turn_deg) {
+            (Some(target), _) => looking_along(target - self.position),
+            (None, turn) => rotation_from_turn(turn.unwrap_or(Vec3::ZERO)),
+        }
+    }
+
+    /// Turns the camera about an axis of the world through itself (course work, section 3.3). What was aimed by
+    /// `look_at` is aimed by `turn_deg` afterwards.
+    pub fn turn(&mut self, axis: Axis, angle_deg: f32) {
+        self.turn_deg = Some(turn_of(axis.rotation_deg(angle_deg) * self.rotation()));
+        self.look_at = None;
+    }
+
+    /// What is wrong with the parameters taken together.
+    #[must_use]
+    pub fn fault(&self) -> Option<Fault> {
+        if self.look_at.is_some() && self.turn_deg.is_some() {
+            return Some(Fault {
+                key: "look_at",
+                message: "the camera has both `turn_deg` and `look_at`",
+                help: "keep the one that you mean and remove the other",
+            });
+        }
+        let target = self.look_at?;
+        let offset = target - self.position;
+        (!offset.is_finite() || offset.abs().max_element() <= f32::MIN_POSITIVE).then_some(Fault {
+            key: "look_at",
+            message: "the camera cannot look at the point where it stands",
+            help: "give `look_at` a point at some distance from `position`",
+        })
+    }
+}
+
+/// The rotation of a camera that looks along `forward` with Y up.
+fn looking_along(forward: Vec3) -> Mat3 {
+    let longest = forward.abs().max_element();
+    if !(longest > 0.0 && longest.is_finite()) {
+        return Mat3::IDENTITY;
+    }
+    let back = -(forward / longest).normalize();
+    let right = Vec3::Y.cross(back);
+    // Straight up or down leaves "right" open: keep the world's X.
+    let right = if right.length_squared() > 1e-12 { right.normalize() } else { Vec3::X };
+    Mat3::from_cols(right, back.cross(right), back)
+}
+
+/// The angles, in degrees, whose turns about X, then Y, then Z make this rotation.
+fn turn_of(r: Mat3) -> Vec3 {
+    // R = Rz·Ry·Rx, so the first column is (cz·cy, sz·cy, −sy).
+    let (x, y, z) = (r.x_axis, r.y_axis, r.z_axis);
+    let sin_y = (-x.z).clamp(-1.0, 1.0);
+    let turn = if sin_y.abs() < 0.999_999 {
+        Vec3::new(libm::atan2f(y.z, z.z), libm::asinf(sin_y), libm::atan2f(x.y, x.x))
+    } else {
+        // Looking along the axis of the first turn: the third can take its part.
+        Vec3::new(libm::atan2f(-z.y, y.y), libm::asinf(sin_y), 0.0)
+    };
+    turn * 180.0 / std::f32::consts::PI
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn forward(camera: &Camera) -> Vec3 {
+        camera.rotation() * Vec3::NEG_Z
+    }
+
+    #[test]
+    fn not_turned_it_looks_along_minus_z() {
+        assert_eq!(forward(&Camera::default()), Vec3::NEG_Z);
+    }
+
+    #[test]
+    fn look_at_puts_the_target_in_the_middle_and_up_is_up() {
+        let camera = Camera {
+            position: Vec3::new(3.0, 2.0, 1.0),
+            look_at: Some(Vec3::new(-1.0, 0.5, -4.0)),
+            ..Camera::default()
+        };
+        let wanted = Vec3::new(-4.0, -1.5, -5.0).normalize();
+        assert!((forward(&camera) - wanted).length() < 1e-6);
+        assert!((camera.rotation() * Vec3::Y).y > 0.0);
+        assert!((camera.rotation() * Vec3::X).y.abs() < 1e-6);
+    }
+
+    #[test]
+    fn straight_down_has_no_nan() {
+        let camera = Camera { look_at: Some(Vec3::new(0.0, 0.0, 6.0)), ..Camera::default() };
+        assert_eq!(forward(&camera), Vec3::NEG_Y);
+    }
+
+    /// C13: turned by a given angle about a given axis.
+    #[test]
+    fn c13_turning_about_an_axis_is_the_world_rotation() {
+        for (axis, angle) in [(Axis::X, 30.0), (Axis::Y, -110.0), (Axis::Z, 75.0), (Axis::Y, 90.0)] {
+            let mut camera = Camera { turn_deg: Some(Vec3::new(10.0, 35.0, -20.0)), ..Camera::default() };
+            let wanted = axis.rotation_deg(angle) * camera.rotation();
+            camera.turn(axis, angle);
+            let (a, b) = (camera.rotation().to_cols_array(), wanted.to_cols_array());
+            let off = a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
+            assert!(off < 2e-6, "{axis:?} {angle}: {off}");
+        }
+    }
+
+    #[test]
+    fn both_aims_are_a_fault() {
+        let both = Camera { turn_deg: Some(Vec3::ZERO), look_at: Some(Vec3::ZERO), ..Camera::default() };
+        assert_eq!(both.fault().map(|f| f.key), Some("look_at"));
+        let nowhere = Camera { look_at: Some(Camera::default().position), ..Camera::default() };
+        assert!(nowhere.fault().is_some());
+    }
+}

@@ -1,0 +1,205 @@
+//! The whole scene.
+
+use crate::{Camera, Group, Light, ListName, Material, Object, Params, Settings, Texture};
+use vitrine_math::Transform;
+
+/// Everything that a scene file says.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Scene {
+    /// What the scene shows, in one line.
+    pub about: String,
+    /// How the picture is made.
+    pub settings: Settings,
+    /// The camera.
+    pub camera: Camera,
+    /// Lights, in the file's order.
+    pub lights: Vec<Light>,
+    /// Textures, in the file's order.
+    pub textures: Vec<Texture>,
+    /// Materials, in the file's order.
+    pub materials: Vec<Material>,
+    /// Groups, in the file's order.
+    pub groups: Vec<Group>,
+    /// Objects, in the file's order.
+    pub objects: Vec<Object>,
+}
+
+/// Something in one of the scene's lists: it has a name, perhaps a kind, and parameters of its own and of its kind.
+pub trait Item: Params {
+    /// Its list.
+    const LIST: ListName;
+
+    /// Its name.
+    fn name(&self) -> &str;
+
+    /// Gives it a name.
+    fn rename(&mut self, name: String);
+
+    /// The key and the word of its kind, such as `shape` and `sphere`.
+    fn kind(&self) -> Option<(&'static str, &'static str)> {
+        None
+    }
+
+    /// The parameters of its kind.
+    fn kind_params(&self) -> Option<&dyn Params> {
+        None
+    }
+
+    /// The parameters of its kind, to change.
+    fn kind_params_mut(&mut self) -> Option<&mut dyn Params> {
+        None
+    }
+}
+
+macro_rules! items {
+    ($($type:ty: $list:ident $(, $key:literal $field:ident)?;)*) => {$(
+        impl Item for $type {
+            const LIST: ListName = ListName::$list;
+
+            fn name(&self) -> &str {
+                &self.name
+            }
+
+            fn rename(&mut self, name: String) {
+                self.name = name;
+            }
+
+            $(
+                fn kind(&self) -> Option<(&'static str, &'static str)> {
+                    Some(($key, self.$field.kind()))
+                }
+
+                fn kind_params(&self) -> Option<&dyn Params> {
+                    Some(self.$field.as_kind())
+                }
+
+                fn kind_params_mut(&mut self) -> Option<&mut dyn Params> {
+                    Some(self.$field.params_mut())
+                }
+            )?
+        }
+    )*};
+}
+
+items! {
+    Light: Light, "kind" source;
+    Texture: Texture, "kind" source;
+    Material: Material;
+    Group: Group;
+    Object: Object, "shape" shape;
+}
+
+/// More groups inside one another than this are taken for a cycle.
+const MAX_GROUP_DEPTH: usize = 64;
+
+impl Scene {
+    /// The object of that name.
+    #[must_use]
+    pub fn object(&self, name: &str) -> Option<&Object> {
+        self.objects.iter().find(|o| o.name == name)
+    }
+
+    /// The material of that name.
+    #[must_use]
+    pub fn material(&self, name: &str) -> Option<&Material> {
+        self.materials.iter().find(|m| m.name == name)
+    }
+
+    /// The texture of that name.
+    #[must_use]
+    pub fn texture(&self, name: &str) -> Option<&Texture> {
+        self.textures.iter().find(|t| t.name == name)
+    }
+
+    /// The group of that name.
+    #[must_use]
+    pub fn group(&self, name: &str) -> Option<&Group> {
+        self.groups.iter().find(|g| g.name == name)
+    }
+
+    /// The names in a list, in order.
+    pub fn names(&self, list: ListName) -> Box<dyn Iterator<Item = &str> + '_> {
+        fn names<T: Item>(items: &[T]) -> Box<dyn Iterator<Item = &str> + '_> {
+            Box::new(items.iter().map(Item::name))
+        }
+        match list {
+            ListName::Object => names(&self.objects),
+            ListName::Light => names(&self.lights),
+            ListName::Material => names(&self.materials),
+            ListName::Texture => names(&self.textures),
+            ListName::Group => names(&self.groups),
+        }
+    }
+
+    /// The groups around an object from the innermost out. Ends early at a missing group, and after a while in a
+    /// cycle; both are [`Problem`](crate::Problem)s.
+    pub fn groups_around<'a>(&'a self, object: &'a Object) -> impl Iterator<Item = &'a Group> {
+        let first = object.group.as_deref().and_then(|g| self.group(g));
+        std::iter::successors(first, |g| g.group.as_deref().and_then(|g| self.group(g))).take(MAX_GROUP_DEPTH)
+    }
+
+    /// From an object's own space to the world, through its groups.
+    #[must_use]
+    pub fn world_from_object(&self, object: &Object) -> Transform {
+        self.groups_around(object).fold(object.place(), |place, group| group.place().after(&place))
+    }
+
+    /// Whether an object and all groups around it are visible.
+    #[must_use]
+    pub fn is_seen(&self, object: &Object) -> bool {
+        object.visible && self.groups_around(object).all(|g| g.visible)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use vitrine_math::Vec3;
+
+    fn nested() -> Scene {
+        Scene {
+            groups: vec![
+                Group {
+                    name: "case".into(),
+                    position: Vec3::new(10.0, 0.0, 0.0),
+                    turn_deg: Vec3::new(0.0, 90.0, 0.0),
+                    ..Group::default()
+                },
+                Group {
+                    name: "shelf".into(),
+                    group: Some("case".into()),
+                    position: Vec3::new(0.0, 1.0, 0.0),
+                    ..Group::default()
+                },
+            ],
+            objects: vec![Object {
+                position: Vec3::new(0.0, 0.0, 2.0),
+                group: Some("shelf".into()),
+                ..Object::default()
+            }],
+            ..Scene::default()
+        }
+    }
+
+    #[test]
+    fn groups_move_their_members_inside_out() {
+        let scene = nested();
+        let origin = scene.world_from_object(&scene.objects[0]).point(Vec3::ZERO);
+        assert_eq!(origin, Vec3::new(12.0, 1.0, 0.0));
+    }
+
+    #[test]
+    fn a_hidden_outer_group_hides_the_object() {
+        let mut scene = nested();
+        assert!(scene.is_seen(&scene.objects[0]));
+        scene.groups[0].visible = false;
+        assert!(!scene.is_seen(&scene.objects[0]));
+    }
+
+    #[test]
+    fn a_cycle_of_groups_ends() {
+        let mut scene = nested();
+        scene.groups[0].group = Some("shelf".into());
+        assert!(scene.groups_around(&scene.objects[0]).count() <= MAX_GROUP_DEPTH);
+    }
+}

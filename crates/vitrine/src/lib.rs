@@ -1,0 +1,1 @@
+//! Vitrine: load a scene, render it, save the picture.
