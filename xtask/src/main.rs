@@ -1,2 +1,77 @@
-//! The project's own chores: `cargo xtask check`, `layers`, `docs`.
-fn main() {}
+//! The project's own chores, `cargo xtask …`: the layer check, and everything that a change must pass.
+
+// A chore talks to the person who runs it.
+#![allow(clippy::print_stdout, clippy::print_stderr)]
+
+mod check;
+mod layers;
+
+use serde_json::Value;
+use std::path::Path;
+use std::process::{Command, ExitCode};
+
+const HELP: &str = "\
+The project's own chores.
+
+cargo xtask check    everything that a change must pass
+cargo xtask layers   the crates' dependencies against the picture in ARCHITECTURE.md
+";
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    let outcome = match words[..] {
+        ["check"] => check::run(),
+        ["layers"] => check_layers(),
+        ["help" | "--help" | "-h"] => {
+            print!("{HELP}");
+            return ExitCode::SUCCESS;
+        }
+        _ => {
+            eprint!("{HELP}");
+            return ExitCode::from(2);
+        }
+    };
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("error: {message}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// The folder of the workspace.
+fn root() -> &'static Path {
+    let own = Path::new(env!("CARGO_MANIFEST_DIR"));
+    own.parent().unwrap_or(own)
+}
+
+/// A cargo command in the workspace's folder: the same cargo that started this program.
+fn cargo() -> Command {
+    let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    command.current_dir(root());
+    command
+}
+
+/// What cargo says of the crates of the workspace.
+fn cargo_metadata() -> Result<Value, String> {
+    let output = cargo()
+        .args(["metadata", "--no-deps", "--format-version", "1"])
+        .output()
+        .map_err(|e| format!("cannot start cargo: {e}"))?;
+    if !output.status.success() {
+        return Err(format!("cargo metadata failed:\n{}", String::from_utf8_lossy(&output.stderr)));
+    }
+    serde_json::from_slice(&output.stdout).map_err(|e| format!("cannot read cargo metadata: {e}"))
+}
+
+fn check_layers() -> Result<(), String> {
+    let found = layers::violations(&cargo_metadata()?)?;
+    if found.is_empty() {
+        println!("layers: every arrow is allowed");
+        Ok(())
+    } else {
+        Err(format!("dependencies that the layers forbid (see ARCHITECTURE.md):\n  {}", found.join("\n  ")))
+    }
+}

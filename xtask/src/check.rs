@@ -1,0 +1,41 @@
+//! `cargo xtask check`: everything that a change must pass, the quick steps first. CI runs the same.
+
+use std::time::Instant;
+
+/// A step: its arguments to cargo, and a variable of its environment.
+type Step = (&'static [&'static str], Option<(&'static str, &'static str)>);
+
+const BEFORE_LAYERS: &[Step] = &[
+    (&["fmt", "--all", "--check"], None),
+    (&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"], None),
+];
+
+const AFTER_LAYERS: &[Step] = &[
+    (&["test", "--workspace"], None),
+    (&["doc", "--no-deps", "--workspace"], Some(("RUSTDOCFLAGS", "-D warnings"))),
+];
+
+/// Runs every step until one fails.
+///
+/// # Errors
+/// Which step failed.
+pub fn run() -> Result<(), String> {
+    let start = Instant::now();
+    BEFORE_LAYERS.iter().try_for_each(run_step)?;
+    crate::check_layers()?;
+    AFTER_LAYERS.iter().try_for_each(run_step)?;
+    println!("check: all passed in {} s", start.elapsed().as_secs());
+    Ok(())
+}
+
+fn run_step((arguments, variable): &Step) -> Result<(), String> {
+    let shown = format!("cargo {}", arguments.join(" "));
+    println!("── {shown}");
+    let mut command = crate::cargo();
+    command.args(*arguments).envs(*variable);
+    match command.status() {
+        Ok(status) if status.success() => Ok(()),
+        Ok(_) => Err(format!("`{shown}` failed")),
+        Err(e) => Err(format!("cannot start `{shown}`: {e}")),
+    }
+}
