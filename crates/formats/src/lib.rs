@@ -1,11 +1,19 @@
 //! Scene, model and picture files: the only crate that touches the disc.
 
+mod assets;
+mod atomic;
 mod disc;
 mod error;
+pub mod image_file;
 pub mod mesh_file;
 
+pub use assets::load_assets;
+pub use atomic::write_atomically;
 pub use error::FormatError;
-pub use mesh_file::read_mesh;
+pub use image_file::{
+    BitDepth, IMAGE_FORMATS, ImageFormat, WriteOptions, encode, image_format, read_picture, write_image,
+};
+pub use mesh_file::{MESH_FORMATS, read_mesh};
 
 /// Extensions for a message: ".png, .jpg, .jpeg".
 fn list_extensions<'a>(extensions: impl Iterator<Item = &'a &'a str>) -> String {

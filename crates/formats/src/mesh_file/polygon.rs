@@ -19,10 +19,10 @@ impl PolygonCutter {
     pub fn cut(&mut self, corners: &[Vec3]) -> &[[u32; 3]] {
         self.triangles.clear();
         let normal = newell_normal(corners);
-        match corners.len() {
-            0..3 => {}
-            3 => self.triangles.push([0, 1, 2]),
-            4 if let Some(halves) = halve(corners, normal) => self.triangles.extend(halves),
+        match (corners.len(), halve(corners, normal)) {
+            (0..3, _) => {}
+            (3, _) => self.triangles.push([0, 1, 2]),
+            (_, Some(halves)) => self.triangles.extend(halves),
             _ => self.cut_ears(corners, normal),
         }
         &self.triangles
@@ -49,10 +49,14 @@ impl PolygonCutter {
     }
 }
 
-/// A quadrilateral by whichever diagonal lies inside it, the first corner's if both do. None: neither does.
+/// A quadrilateral by whichever diagonal lies inside it, the first corner's if both do. None: neither does, or it is no
+/// quadrilateral.
 fn halve(corners: &[Vec3], normal: DVec3) -> Option<[[u32; 3]; 2]> {
     const WAYS: [[[u32; 3]; 2]; 2] = [[[0, 1, 2], [0, 2, 3]], [[0, 1, 3], [1, 2, 3]]];
     let faces_front = |t: &[u32; 3]| double_area(t.map(|i| corners[i as usize])).dot(normal) > 0.0;
+    if corners.len() != 4 {
+        return None;
+    }
     WAYS.into_iter().find(|halves| halves.iter().all(faces_front))
 }
 

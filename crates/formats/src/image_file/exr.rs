@@ -1,0 +1,67 @@
+//! OpenEXR: linear light as 32-bit floats, compressed without loss; metadata as text attributes.
+
+use super::{ImageFormat, WriteOptions, one_line};
+use exr::meta::attribute::Chromaticities;
+use exr::prelude::{
+    AttributeValue, Encoding, Image as ExrImage, Layer, LayerAttributes, SpecificChannels, Text, Vec2,
+    WritableImage,
+};
+use std::io::Cursor;
+use vitrine_film::Image;
+
+/// The entry of the register.
+pub const FORMAT: ImageFormat = ImageFormat { name: "OpenEXR", extensions: &["exr"], encode };
+
+fn encode(image: &Image, options: &WriteOptions) -> Result<Vec<u8>, String> {
+    let [width, height] = image.size.map(|s| s as usize);
+    let channels = SpecificChannels::rgb(|place: Vec2<usize>| {
+        let p = image.pixels[place.y() * width + place.x()];
+        (p.r, p.g, p.b)
+    });
+    let encoding = Encoding::SMALL_LOSSLESS;
+    let layer = Layer::new((width, height), LayerAttributes::default(), encoding, channels);
+    let mut picture = ExrImage::from_layer(layer);
+    // Rec. 709 with the white of D65.
+    picture.attributes.chromaticities = Some(Chromaticities {
+        red: Vec2(0.64, 0.33),
+        green: Vec2(0.3, 0.6),
+        blue: Vec2(0.15, 0.06),
+        white: Vec2(0.3127, 0.329),
+    });
+    for (key, text) in &options.metadata {
+        let text = Text::from_slice_unchecked(one_line(text).as_bytes());
+        if key == "Description" {
+            // The format's own word.
+            picture.layer_data.attributes.comments = Some(text);
+        } else {
+            picture.attributes.other.insert(Text::from(key.as_str()), AttributeValue::Text(text));
+        }
+    }
+    let mut file = Cursor::new(Vec::new());
+    picture.write().non_parallel().to_buffered(&mut file).map_err(|e| e.to_string())?;
+    let mut file = file.into_inner();
+    sort_attributes(&mut file).ok_or("the encoder failed")?;
+    Ok(file)
+}
+
+/// Brings the header's attributes into the order of their names. The encoder writes them in random order, and the same
+/// picture must give the same file. Nothing changes its length.
+fn sort_attributes(file: &mut [u8]) -> Option<()> {
+    // After the magic number and the version, each is name, 0, type, 0, length, value; a 0 ends the list.
+    const START: usize = 8;
+    let mut attributes = Vec::new();
+    let mut rest = file.get(START..)?;
+    while *rest.first()? != 0 {
+        let name = rest.iter().position(|b| *b == 0)? + 1;
+        let kind = rest[name..].iter().position(|b| *b == 0)? + 1;
+        let (length, _) = rest[name + kind..].split_first_chunk::<4>()?;
+        let (attribute, next) =
+            rest.split_at_checked(name + kind + 4 + i32::from_le_bytes(*length) as usize)?;
+        attributes.push(attribute);
+        rest = next;
+    }
+    attributes.sort_unstable();
+    let sorted = attributes.concat();
+    file.get_mut(START..START + sorted.len())?.copy_from_slice(&sorted);
+    Some(())
+}
