@@ -78,3 +78,109 @@ fn load_picture(
     }
     material.picture = Some(found.clone());
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{WriteOptions, write_image};
+    use std::fs;
+    use tempfile::TempDir;
+    use vitrine_film::Image;
+    use vitrine_math::Rgb;
+    use vitrine_scene::shapes::Mesh;
+    use vitrine_scene::textures::PictureFile;
+    use vitrine_scene::{Object, Shape, Texture, TextureSource};
+
+    const MODEL: &str = "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n";
+
+    /// A folder with `models/m.obj`, its library with that line, and `models/tex/a.png`.
+    fn folder(library_line: &str) -> TempDir {
+        let folder = tempfile::tempdir().unwrap();
+        fs::create_dir_all(folder.path().join("models/tex")).unwrap();
+        fs::write(folder.path().join("models/m.obj"), MODEL).unwrap();
+        fs::write(folder.path().join("models/m.mtl"), format!("newmtl m\n{library_line}\n")).unwrap();
+        let image = Image::filled([2, 1], Rgb::WHITE);
+        write_image(&folder.path().join("models/tex/a.png"), &image, &WriteOptions::default()).unwrap();
+        folder
+    }
+
+    fn scene(models: &[&str], pictures: &[&str]) -> Scene {
+        let object = |file: &&str| Object {
+            name: format!("thing {file}"),
+            shape: Shape::Mesh(Mesh { file: (*file).into(), ..Mesh::default() }),
+            ..Object::default()
+        };
+        let texture = |file: &&str| Texture {
+            name: format!("cover {file}"),
+            source: TextureSource::Picture(PictureFile { file: (*file).into(), ..PictureFile::default() }),
+            ..Texture::default()
+        };
+        Scene {
+            objects: models.iter().map(object).chain([Object::default()]).collect(),
+            textures: pictures.iter().map(texture).chain([Texture::default()]).collect(),
+            ..Scene::default()
+        }
+    }
+
+    #[test]
+    fn everything_is_keyed_as_the_scene_writes_it_and_models_pictures_by_their_path() {
+        let folder = folder("map_Kd tex/a.png");
+        let scene = scene(&["models/m.obj", "models/m.obj"], &["models/tex/a.png"]);
+        let (assets, warnings) = load_assets(&scene, folder.path()).unwrap();
+        assert_eq!(warnings, [""; 0]);
+        let mesh = &assets.meshes[Path::new("models/m.obj")];
+        assert_eq!(mesh.materials[0].picture.as_deref(), Some(Path::new("models/tex/a.png")));
+        assert_eq!(assets.pictures.len(), 1, "the texture's and the model's are one");
+        assert_eq!(assets.pictures[Path::new("models/tex/a.png")].size, [2, 1]);
+        for object in &scene.objects {
+            assert!(object.shape.as_kind().geometry(&assets).is_some());
+        }
+        for texture in &scene.textures {
+            assert!(texture.source.as_kind().pattern(&assets).is_some());
+        }
+    }
+
+    #[test]
+    fn a_models_picture_is_found_beside_it_too() {
+        let folder = folder("map_Kd C:\\Users\\me\\a.png");
+        fs::rename(folder.path().join("models/tex/a.png"), folder.path().join("models/a.png")).unwrap();
+        let (assets, warnings) = load_assets(&scene(&["models/m.obj"], &[]), folder.path()).unwrap();
+        assert_eq!(warnings, [""; 0]);
+        let mesh = &assets.meshes[Path::new("models/m.obj")];
+        assert_eq!(mesh.materials[0].picture.as_deref(), Some(Path::new("models/a.png")));
+    }
+
+    #[test]
+    fn a_models_missing_picture_is_a_warning() {
+        let folder = folder("map_Kd none.png");
+        let (assets, warnings) = load_assets(&scene(&["models/m.obj"], &[]), folder.path()).unwrap();
+        assert_eq!(assets.meshes[Path::new("models/m.obj")].materials[0].picture, None);
+        let path = folder.path().join("models/none.png");
+        let expected = format!(
+            "material `m` of a model keeps its plain colour, there is no such file: {}",
+            path.display()
+        );
+        assert_eq!(warnings, [expected]);
+    }
+
+    #[test]
+    fn errors_say_who_wanted_the_file_and_its_whole_path() {
+        let folder = folder("");
+        let message = |scene: &Scene| load_assets(scene, folder.path()).unwrap_err().to_string();
+        let full = |file: &str| folder.path().join(file).display().to_string();
+        assert_eq!(
+            message(&scene(&["none.obj"], &[])),
+            format!("object `thing none.obj`: there is no such file: {}", full("none.obj"))
+        );
+        assert_eq!(
+            message(&scene(&[], &["models/m.obj"])),
+            format!(
+                "texture `cover models/m.obj`: this is not a PNG or JPEG picture: {}",
+                full("models/m.obj")
+            )
+        );
+        assert_eq!(message(&scene(&[""], &[])), "object `thing `: `file` is empty");
+        let model_as_picture = message(&scene(&["models/tex/a.png"], &[]));
+        assert!(model_as_picture.contains("not that of a model"), "{model_as_picture}");
+    }
+}

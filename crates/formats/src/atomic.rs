@@ -61,7 +61,8 @@ fn replace(path: &Path, bytes: &[u8], permissions: Option<fs::Permissions>) -> i
     // By itself the temporary file would be for its owner's eyes only; the system takes the umask off this.
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    let mut file = builder.tempfile_in(folder_of(path))?;
+    // The error itself would name the temporary file.
+    let mut file = builder.tempfile_in(folder_of(path)).map_err(|e| io::Error::from(e.kind()))?;
     file.write_all(bytes)?;
     if let Some(permissions) = permissions {
         file.as_file().set_permissions(permissions)?;
@@ -75,4 +76,111 @@ fn replace(path: &Path, bytes: &[u8], permissions: Option<fs::Permissions>) -> i
         let _ = folder.sync_all();
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn names_in(folder: &Path) -> Vec<String> {
+        let mut names: Vec<_> =
+            fs::read_dir(folder).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
+        names.sort();
+        names
+    }
+
+    #[test]
+    fn writes_and_replaces_and_leaves_nothing_else() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.png");
+        for bytes in [&b"first"[..], b"second, longer", b""] {
+            write_atomically(&path, bytes).unwrap();
+            assert_eq!(fs::read(&path).unwrap(), bytes);
+        }
+        assert_eq!(names_in(folder.path()), ["a.png"]);
+    }
+
+    #[test]
+    fn a_missing_folder_is_named() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("no").join("a.png");
+        let error = write_atomically(&path, b"x").unwrap_err();
+        let expected = format!("there is no such folder: {}", folder.path().join("no").display());
+        assert_eq!(error.to_string(), expected);
+        assert!(error.help().contains("create the folder"));
+        assert_eq!(names_in(folder.path()), [""; 0]);
+    }
+
+    #[test]
+    fn a_folder_in_the_way_stays() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.png");
+        fs::create_dir(&path).unwrap();
+        let error = write_atomically(&path, b"x").unwrap_err();
+        assert!(matches!(error, FormatError::NotAFile { what: "a folder", .. }));
+        assert!(path.is_dir());
+        // A file where a folder should be.
+        fs::write(folder.path().join("file"), "x").unwrap();
+        let error = write_atomically(&folder.path().join("file").join("a.png"), b"x").unwrap_err();
+        assert!(
+            matches!(error, FormatError::Unwritable { .. } | FormatError::MissingFolder { .. }),
+            "{error}"
+        );
+        assert_eq!(names_in(folder.path()), ["a.png", "file"]);
+    }
+
+    #[test]
+    fn a_write_protected_file_stays() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.png");
+        fs::write(&path, "old").unwrap();
+        let mut permissions = fs::metadata(&path).unwrap().permissions();
+        permissions.set_readonly(true);
+        fs::set_permissions(&path, permissions).unwrap();
+        let error = write_atomically(&path, b"new").unwrap_err();
+        assert!(error.to_string().contains("write-protected"), "{error}");
+        assert_eq!(fs::read(&path).unwrap(), b"old");
+        assert_eq!(names_in(folder.path()), ["a.png"]);
+    }
+
+    #[test]
+    #[cfg(unix)]
+    fn permissions_are_those_of_any_new_file_or_of_the_old_one() {
+        use std::os::unix::fs::PermissionsExt;
+        let folder = tempfile::tempdir().unwrap();
+        let [path, plain] = ["a.png", "plain"].map(|name| folder.path().join(name));
+        let mode = |path: &Path| fs::metadata(path).unwrap().permissions().mode() & 0o777;
+        write_atomically(&path, b"x").unwrap();
+        fs::write(&plain, "x").unwrap();
+        assert_eq!(mode(&path), mode(&plain));
+        fs::set_permissions(&path, fs::Permissions::from_mode(0o640)).unwrap();
+        write_atomically(&path, b"y").unwrap();
+        assert_eq!(mode(&path), 0o640);
+    }
+
+    #[test]
+    #[cfg(unix)]
+    fn a_symbolic_link_stays_one() {
+        let folder = tempfile::tempdir().unwrap();
+        let [path, link] = ["a.png", "link.png"].map(|name| folder.path().join(name));
+        fs::write(&path, "old").unwrap();
+        std::os::unix::fs::symlink("a.png", &link).unwrap();
+        write_atomically(&link, b"new").unwrap();
+        assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+        assert_eq!(fs::read(&path).unwrap(), b"new");
+    }
+
+    #[test]
+    #[cfg(target_os = "linux")]
+    fn a_full_disc_and_a_folder_that_takes_no_files() {
+        // The system's own stand-ins: a device that is always full, and a folder in which not even root creates files.
+        let full = write_atomically(Path::new("/dev/full"), b"x").unwrap_err();
+        assert!(matches!(full, FormatError::DiscFull { .. }), "{full}");
+        assert!(full.help().contains("make space"));
+        let error = write_atomically(Path::new("/sys/a.png"), b"x").unwrap_err();
+        assert!(matches!(error, FormatError::Unwritable { .. }), "{error}");
+        assert!(error.to_string().ends_with(": /sys/a.png"), "{error}");
+        write_atomically(Path::new("/dev/null"), b"x").unwrap();
+        assert!(!fs::metadata("/dev/null").unwrap().is_file(), "a device stays one");
+    }
 }
