@@ -11,6 +11,12 @@ pub struct Bounds3 {
     pub max: Vec3,
 }
 
+impl Default for Bounds3 {
+    fn default() -> Self {
+        Self::EMPTY
+    }
+}
+
 impl Bounds3 {
     /// Holds no point; the neutral element of [`Bounds3::union`].
     pub const EMPTY: Self = Self { min: Vec3::splat(f32::INFINITY), max: Vec3::splat(f32::NEG_INFINITY) };

@@ -1,5 +1,16 @@
 //! From a scene to a picture: compile once, then trace rays over all threads.
+//!
+//! [`compile`] turns the scene that a person edits into flat arrays; [`accel`] finds what rays hit; the integrators say
+//! what light a ray sees; [`RenderJob`] owns threads, order, progress and stopping.
 
+pub mod accel;
+mod compile;
+mod error;
+mod integrators;
 mod job;
+mod samplers;
+mod surface;
 
-pub use job::{Cancel, CompileError, CompiledScene, Progress, RenderJob, RenderOptions, Rendered, compile};
+pub use compile::{CompiledScene, compile};
+pub use error::{CompileError, RenderError};
+pub use job::{Cancel, Progress, RenderJob, RenderOptions, Rendered};

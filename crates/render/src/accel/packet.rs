@@ -1,0 +1,149 @@
+//! A packet of rays, one in each lane, and its way through a tree.
+
+use super::bvh::{Node, STACK};
+use super::simd::Simd;
+use super::stream::RayStream;
+use vitrine_math::Affine3A;
+
+/// Rays in lanes.
+#[derive(Clone, Copy)]
+pub struct Packet<S: Simd> {
+    /// Origins.
+    pub o: [S::F; 3],
+    /// Directions.
+    pub d: [S::F; 3],
+    /// 1 / direction, finite always.
+    pub inv: [S::F; 3],
+    /// The square of the direction's length.
+    pub dd: S::F,
+    /// 1 / `dd`
+    pub inv_dd: S::F,
+    /// Bit k: most rays go down along axis k, so a node's second child is the nearer.
+    down: u32,
+}
+
+impl<S: Simd> Packet<S> {
+    #[inline(always)]
+    pub fn load(s: S, rays: &RayStream, start: usize) -> Self {
+        let o = std::array::from_fn(|k| s.load(&rays.origin[k][start..]));
+        let d = std::array::from_fn(|k| s.load(&rays.direction[k][start..]));
+        Self::new(s, o, d)
+    }
+
+    #[inline(always)]
+    fn new(s: S, o: [S::F; 3], d: [S::F; 3]) -> Self {
+        let zero = s.splat(0.0);
+        let mut down = 0;
+        let inv = std::array::from_fn(|k| {
+            // A component of zero would make ∞ and then NaN on the face of a box: take a tiny one in its place.
+            let tiny = s.lt(s.abs(d[k]), s.splat(1e-20));
+            down |= u32::from(s.bits(s.lt(d[k], zero)).count_ones() as usize * 2 > S::LANES) << k;
+            s.div(s.splat(1.0), s.select(tiny, s.splat(1e-20), d[k]))
+        });
+        let dd = dot(s, &d, &d);
+        Self { o, d, inv, dd, inv_dd: s.div(s.splat(1.0), dd), down }
+    }
+
+    /// The same rays in another space; distances keep their meaning.
+    #[inline(always)]
+    pub fn transformed(&self, s: S, to: &Affine3A) -> Self {
+        let o = self.turned(s, to, &self.o);
+        let d = self.turned(s, to, &self.d);
+        let moved = std::array::from_fn(|k| s.add(o[k], s.splat(to.translation[k])));
+        Self::new(s, moved, d)
+    }
+
+    #[inline(always)]
+    fn turned(&self, s: S, to: &Affine3A, v: &[S::F; 3]) -> [S::F; 3] {
+        let m = to.matrix3;
+        std::array::from_fn(|k| {
+            let x = s.mul(s.splat(m.x_axis[k]), v[0]);
+            let y = s.mul(s.splat(m.y_axis[k]), v[1]);
+            s.add(s.add(x, y), s.mul(s.splat(m.z_axis[k]), v[2]))
+        })
+    }
+
+    /// Which rays pass the box between `t_min` and `t_max`. Never misses for want of precision: the far side is rounded up
+    /// (Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013).
+    #[inline(always)]
+    pub fn meets_box(&self, s: S, node: &Node, t_min: S::F, t_max: S::F) -> S::M {
+        let mut near = t_min;
+        let mut far = t_max;
+        for k in 0..3 {
+            let t0 = s.mul(s.sub(s.splat(node.min[k]), self.o[k]), self.inv[k]);
+            let t1 = s.mul(s.sub(s.splat(node.max[k]), self.o[k]), self.inv[k]);
+            near = s.max(near, s.min(t0, t1));
+            far = s.min(far, s.mul(s.max(t0, t1), s.splat(1.000_000_5)));
+        }
+        s.le(near, far)
+    }
+}
+
+/// ⟨a, b⟩ in each lane.
+#[inline(always)]
+pub fn dot<S: Simd>(s: S, a: &[S::F; 3], b: &[S::F; 3]) -> S::F {
+    s.add(s.add(s.mul(a[0], b[0]), s.mul(a[1], b[1])), s.mul(a[2], b[2]))
+}
+
+/// a × b in each lane.
+#[inline(always)]
+pub fn cross<S: Simd>(s: S, a: &[S::F; 3], b: &[S::F; 3]) -> [S::F; 3] {
+    let part = |i: usize, j: usize| s.sub(s.mul(a[i], b[j]), s.mul(a[j], b[i]));
+    [part(1, 2), part(2, 0), part(0, 1)]
+}
+
+/// The same vector in each lane.
+#[inline(always)]
+pub fn splat3<S: Simd>(s: S, v: [f32; 3]) -> [S::F; 3] {
+    v.map(|v| s.splat(v))
+}
+
+/// a − b in each lane.
+#[inline(always)]
+pub fn sub3<S: Simd>(s: S, a: &[S::F; 3], b: &[S::F; 3]) -> [S::F; 3] {
+    std::array::from_fn(|k| s.sub(a[k], b[k]))
+}
+
+/// What a walk through a tree does at its leaves.
+pub trait Visitor<S: Simd> {
+    /// Whether nearer children go first. Without it each ray meets its leaves in one order, whatever rays are beside it.
+    const NEAREST_FIRST: bool;
+    /// Rays that still look for something.
+    fn active(&self, s: S) -> S::M;
+    /// Hits before these distances are of no use.
+    fn t_min(&self, s: S) -> S::F;
+    /// Hits beyond these distances are of no use.
+    fn t_max(&self) -> S::F;
+    /// A leaf: primitives `first..first + count` of its kind, for the rays of the mask.
+    fn leaf(&mut self, s: S, packet: &Packet<S>, leaf: &Node, mask: S::M);
+}
+
+/// Takes a packet through a tree.
+#[inline(always)]
+pub fn traverse<S: Simd, V: Visitor<S>>(s: S, nodes: &[Node], packet: &Packet<S>, visitor: &mut V) {
+    if nodes.is_empty() {
+        return;
+    }
+    let mut stack = [0_u32; STACK];
+    let mut top = 0;
+    let mut index = 0_u32;
+    loop {
+        let node = &nodes[index as usize];
+        let mask = s.and(visitor.active(s), packet.meets_box(s, node, visitor.t_min(s), visitor.t_max()));
+        if s.any(mask) {
+            if node.count() == 0 {
+                let second = if V::NEAREST_FIRST { packet.down >> node.kind_or_axis() & 1 } else { 0 };
+                stack[top] = node.first + 1 - second;
+                top += 1;
+                index = node.first + second;
+                continue;
+            }
+            visitor.leaf(s, packet, node, mask);
+        }
+        if top == 0 {
+            return;
+        }
+        top -= 1;
+        index = stack[top];
+    }
+}

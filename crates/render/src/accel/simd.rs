@@ -1,0 +1,391 @@
+//! The vector unit behind one small trait, so that each kernel is written once.
+//!
+//! Every operation is an IEEE 754 operation that rounds correctly, and none is fused with another. So each lane gives the same
+//! bits on every instruction set, and a picture does not depend on the processor that made it.
+//!
+//! This is the only file of the crate with `unsafe`. The invariant: a value of [`Avx2`] or [`Avx512`] exists only where
+//! [`Instructions::detect`] has found the processor to have those instructions, for nothing else can make one. So whoever
+//! holds one may call them.
+#![allow(unsafe_code)]
+
+/// Lanes of 32-bit floats and masks over them.
+///
+/// Comparisons with NaN are false. All functions must be inlined into one that has the instruction set switched on
+/// ([`Instructions::run`]); without that they are right and slow.
+pub trait Simd: Copy {
+    /// How many lanes there are, 16 at most.
+    const LANES: usize;
+    /// A float in each lane.
+    type F: Copy;
+    /// A yes or no in each lane.
+    type M: Copy;
+
+    /// The same value in each lane.
+    fn splat(self, v: f32) -> Self::F;
+    /// The first `LANES` values of a slice. Panics when there are fewer.
+    fn load(self, from: &[f32]) -> Self::F;
+    /// Into the first `LANES` places of a slice. Panics when there are fewer.
+    fn store(self, v: Self::F, to: &mut [f32]);
+    /// a + b
+    fn add(self, a: Self::F, b: Self::F) -> Self::F;
+    /// a − b
+    fn sub(self, a: Self::F, b: Self::F) -> Self::F;
+    /// a · b
+    fn mul(self, a: Self::F, b: Self::F) -> Self::F;
+    /// a / b
+    fn div(self, a: Self::F, b: Self::F) -> Self::F;
+    /// √a
+    fn sqrt(self, a: Self::F) -> Self::F;
+    /// |a|
+    fn abs(self, a: Self::F) -> Self::F;
+    /// a if a < b, else b (so b where either is NaN).
+    fn min(self, a: Self::F, b: Self::F) -> Self::F;
+    /// a if a > b, else b (so b where either is NaN).
+    fn max(self, a: Self::F, b: Self::F) -> Self::F;
+    /// a < b
+    fn lt(self, a: Self::F, b: Self::F) -> Self::M;
+    /// a ≤ b
+    fn le(self, a: Self::F, b: Self::F) -> Self::M;
+    /// a = b
+    fn eq(self, a: Self::F, b: Self::F) -> Self::M;
+    /// Both.
+    fn and(self, a: Self::M, b: Self::M) -> Self::M;
+    /// Either.
+    fn or(self, a: Self::M, b: Self::M) -> Self::M;
+    /// The first and not the second.
+    fn and_not(self, a: Self::M, b: Self::M) -> Self::M;
+    /// `yes` in lanes of the mask, else `no`.
+    fn select(self, mask: Self::M, yes: Self::F, no: Self::F) -> Self::F;
+    /// A bit for each lane, the first lane the lowest.
+    fn bits(self, mask: Self::M) -> u32;
+
+    /// Whether any lane says yes.
+    #[inline(always)]
+    fn any(self, mask: Self::M) -> bool {
+        self.bits(mask) != 0
+    }
+}
+
+/// Work that is written for any vector unit.
+pub trait Kernel {
+    /// What it gives back.
+    type Output;
+    /// Does it. Must be `#[inline(always)]`, and so must what it calls in its loops.
+    fn run<S: Simd>(self, simd: S) -> Self::Output;
+}
+
+/// The instruction sets that a kernel can run on.
+#[derive(Clone, Copy, Debug)]
+pub enum Instructions {
+    /// Plain Rust, right everywhere.
+    Portable,
+    /// 8 lanes.
+    #[cfg(target_arch = "x86_64")]
+    Avx2(Avx2),
+    /// 16 lanes.
+    #[cfg(target_arch = "x86_64")]
+    Avx512(Avx512),
+}
+
+impl Instructions {
+    /// The widest that this processor has.
+    #[must_use]
+    pub fn detect() -> Self {
+        Self::available().pop().unwrap_or(Self::Portable)
+    }
+
+    /// All that this processor has, from the narrowest to the widest.
+    #[must_use]
+    pub fn available() -> Vec<Self> {
+        #[allow(unused_mut, reason = "only x86 has more than one")]
+        let mut all = vec![Self::Portable];
+        #[cfg(target_arch = "x86_64")]
+        {
+            if is_x86_feature_detected!("avx2") {
+                all.push(Self::Avx2(Avx2(())));
+            }
+            if is_x86_feature_detected!("avx512f") {
+                all.push(Self::Avx512(Avx512(())));
+            }
+        }
+        all
+    }
+
+    /// Runs a kernel with these instructions switched on.
+    pub fn run<K: Kernel>(self, kernel: K) -> K::Output {
+        match self {
+            Self::Portable => kernel.run(Portable),
+            // SAFETY: the token proves that the processor has the instructions.
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx2(token) => unsafe { run_avx2(token, kernel) },
+            // SAFETY: as above.
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx512(token) => unsafe { run_avx512(token, kernel) },
+        }
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2")]
+fn run_avx2<K: Kernel>(token: Avx2, kernel: K) -> K::Output {
+    kernel.run(token)
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx512f")]
+fn run_avx512<K: Kernel>(token: Avx512, kernel: K) -> K::Output {
+    kernel.run(token)
+}
+
+/// Plain Rust, 8 lanes.
+#[derive(Clone, Copy, Debug)]
+pub struct Portable;
+
+macro_rules! lanewise {
+    ($($name:ident($($arg:ident),*) -> F = |$($x:ident),*| $value:expr;)*) => {$(
+        #[inline(always)]
+        fn $name(self, $($arg: [f32; 8]),*) -> [f32; 8] {
+            std::array::from_fn(|i| { $(let $x = $arg[i];)* $value })
+        }
+    )*};
+    ($($name:ident -> M = |$x:ident, $y:ident| $value:expr;)*) => {$(
+        #[inline(always)]
+        fn $name(self, a: [f32; 8], b: [f32; 8]) -> u8 {
+            (0..8).fold(0, |m, i| { let ($x, $y) = (a[i], b[i]); m | (u8::from($value) << i) })
+        }
+    )*};
+}
+
+impl Simd for Portable {
+    const LANES: usize = 8;
+    type F = [f32; 8];
+    type M = u8;
+
+    lanewise! {
+        add(a, b) -> F = |x, y| x + y;
+        sub(a, b) -> F = |x, y| x - y;
+        mul(a, b) -> F = |x, y| x * y;
+        div(a, b) -> F = |x, y| x / y;
+        sqrt(a) -> F = |x| x.sqrt();
+        abs(a) -> F = |x| x.abs();
+        min(a, b) -> F = |x, y| if x < y { x } else { y };
+        max(a, b) -> F = |x, y| if x > y { x } else { y };
+    }
+    lanewise! {
+        lt -> M = |x, y| x < y;
+        le -> M = |x, y| x <= y;
+        eq -> M = |x, y| x == y;
+    }
+
+    #[inline(always)]
+    fn splat(self, v: f32) -> [f32; 8] {
+        [v; 8]
+    }
+    #[inline(always)]
+    fn load(self, from: &[f32]) -> [f32; 8] {
+        std::array::from_fn(|i| from[i])
+    }
+    #[inline(always)]
+    fn store(self, v: [f32; 8], to: &mut [f32]) {
+        to[..8].copy_from_slice(&v);
+    }
+    #[inline(always)]
+    fn and(self, a: u8, b: u8) -> u8 {
+        a & b
+    }
+    #[inline(always)]
+    fn or(self, a: u8, b: u8) -> u8 {
+        a | b
+    }
+    #[inline(always)]
+    fn and_not(self, a: u8, b: u8) -> u8 {
+        a & !b
+    }
+    #[inline(always)]
+    fn select(self, mask: u8, yes: [f32; 8], no: [f32; 8]) -> [f32; 8] {
+        std::array::from_fn(|i| if mask >> i & 1 != 0 { yes[i] } else { no[i] })
+    }
+    #[inline(always)]
+    fn bits(self, mask: u8) -> u32 {
+        u32::from(mask)
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+pub use x86::{Avx2, Avx512};
+
+#[cfg(target_arch = "x86_64")]
+mod x86 {
+    use super::Simd;
+    use std::arch::x86_64::*;
+
+    /// Proof that the processor has AVX2; 8 lanes.
+    #[derive(Clone, Copy, Debug)]
+    pub struct Avx2(pub(super) ());
+
+    /// Proof that the processor has AVX-512F; 16 lanes.
+    #[derive(Clone, Copy, Debug)]
+    pub struct Avx512(pub(super) ());
+
+    macro_rules! intrinsics {
+        ($($name:ident($($arg:ident: $type:ty),*) -> $out:ty = $value:expr;)*) => {$(
+            #[inline(always)]
+            fn $name(self, $($arg: $type),*) -> $out {
+                // SAFETY: `self` proves that the processor has the instruction.
+                unsafe { $value }
+            }
+        )*};
+    }
+
+    impl Simd for Avx2 {
+        const LANES: usize = 8;
+        type F = __m256;
+        type M = __m256;
+
+        intrinsics! {
+            splat(v: f32) -> __m256 = _mm256_set1_ps(v);
+            add(a: __m256, b: __m256) -> __m256 = _mm256_add_ps(a, b);
+            sub(a: __m256, b: __m256) -> __m256 = _mm256_sub_ps(a, b);
+            mul(a: __m256, b: __m256) -> __m256 = _mm256_mul_ps(a, b);
+            div(a: __m256, b: __m256) -> __m256 = _mm256_div_ps(a, b);
+            sqrt(a: __m256) -> __m256 = _mm256_sqrt_ps(a);
+            abs(a: __m256) -> __m256 = _mm256_andnot_ps(_mm256_set1_ps(-0.0), a);
+            min(a: __m256, b: __m256) -> __m256 = _mm256_min_ps(a, b);
+            max(a: __m256, b: __m256) -> __m256 = _mm256_max_ps(a, b);
+            lt(a: __m256, b: __m256) -> __m256 = _mm256_cmp_ps::<_CMP_LT_OQ>(a, b);
+            le(a: __m256, b: __m256) -> __m256 = _mm256_cmp_ps::<_CMP_LE_OQ>(a, b);
+            eq(a: __m256, b: __m256) -> __m256 = _mm256_cmp_ps::<_CMP_EQ_OQ>(a, b);
+            and(a: __m256, b: __m256) -> __m256 = _mm256_and_ps(a, b);
+            or(a: __m256, b: __m256) -> __m256 = _mm256_or_ps(a, b);
+            and_not(a: __m256, b: __m256) -> __m256 = _mm256_andnot_ps(b, a);
+            select(mask: __m256, yes: __m256, no: __m256) -> __m256 = _mm256_blendv_ps(no, yes, mask);
+            bits(mask: __m256) -> u32 = _mm256_movemask_ps(mask) as u32;
+        }
+
+        #[inline(always)]
+        fn load(self, from: &[f32]) -> __m256 {
+            let from = &from[..8];
+            // SAFETY: eight floats stand there; the load needs no alignment.
+            unsafe { _mm256_loadu_ps(from.as_ptr()) }
+        }
+        #[inline(always)]
+        fn store(self, v: __m256, to: &mut [f32]) {
+            let to = &mut to[..8];
+            // SAFETY: there is room for eight floats; the store needs no alignment.
+            unsafe { _mm256_storeu_ps(to.as_mut_ptr(), v) }
+        }
+    }
+
+    impl Simd for Avx512 {
+        const LANES: usize = 16;
+        type F = __m512;
+        type M = __mmask16;
+
+        intrinsics! {
+            splat(v: f32) -> __m512 = _mm512_set1_ps(v);
+            add(a: __m512, b: __m512) -> __m512 = _mm512_add_ps(a, b);
+            sub(a: __m512, b: __m512) -> __m512 = _mm512_sub_ps(a, b);
+            mul(a: __m512, b: __m512) -> __m512 = _mm512_mul_ps(a, b);
+            div(a: __m512, b: __m512) -> __m512 = _mm512_div_ps(a, b);
+            sqrt(a: __m512) -> __m512 = _mm512_sqrt_ps(a);
+            abs(a: __m512) -> __m512 = _mm512_abs_ps(a);
+            min(a: __m512, b: __m512) -> __m512 = _mm512_min_ps(a, b);
+            max(a: __m512, b: __m512) -> __m512 = _mm512_max_ps(a, b);
+            lt(a: __m512, b: __m512) -> __mmask16 = _mm512_cmp_ps_mask::<_CMP_LT_OQ>(a, b);
+            le(a: __m512, b: __m512) -> __mmask16 = _mm512_cmp_ps_mask::<_CMP_LE_OQ>(a, b);
+            eq(a: __m512, b: __m512) -> __mmask16 = _mm512_cmp_ps_mask::<_CMP_EQ_OQ>(a, b);
+            select(mask: __mmask16, yes: __m512, no: __m512) -> __m512 = _mm512_mask_blend_ps(mask, no, yes);
+        }
+
+        #[inline(always)]
+        fn load(self, from: &[f32]) -> __m512 {
+            let from = &from[..16];
+            // SAFETY: sixteen floats stand there; the load needs no alignment.
+            unsafe { _mm512_loadu_ps(from.as_ptr()) }
+        }
+        #[inline(always)]
+        fn store(self, v: __m512, to: &mut [f32]) {
+            let to = &mut to[..16];
+            // SAFETY: there is room for sixteen floats; the store needs no alignment.
+            unsafe { _mm512_storeu_ps(to.as_mut_ptr(), v) }
+        }
+        #[inline(always)]
+        fn and(self, a: __mmask16, b: __mmask16) -> __mmask16 {
+            a & b
+        }
+        #[inline(always)]
+        fn or(self, a: __mmask16, b: __mmask16) -> __mmask16 {
+            a | b
+        }
+        #[inline(always)]
+        fn and_not(self, a: __mmask16, b: __mmask16) -> __mmask16 {
+            a & !b
+        }
+        #[inline(always)]
+        fn bits(self, mask: __mmask16) -> u32 {
+            u32::from(mask)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every operation over awkward numbers, as the bits of its results.
+    struct Everything<'a>(&'a [f32; 16], &'a [f32; 16]);
+
+    impl Kernel for Everything<'_> {
+        type Output = Vec<u32>;
+        #[inline(always)]
+        fn run<S: Simd>(self, s: S) -> Vec<u32> {
+            let mut out = Vec::new();
+            let keep = |v: S::F| {
+                let mut lanes = [0.0; 16];
+                s.store(v, &mut lanes);
+                lanes[..S::LANES].iter().map(|v| if v.is_nan() { 1 } else { v.to_bits() }).collect::<Vec<_>>()
+            };
+            let mut rows: Vec<Vec<u32>> = vec![Vec::new(); 14];
+            for start in (0..16).step_by(S::LANES) {
+                let (a, b) = (s.load(&self.0[start..]), s.load(&self.1[start..]));
+                let (lt, le, eq) = (s.lt(a, b), s.le(a, b), s.eq(a, b));
+                let values = [
+                    s.add(a, b),
+                    s.sub(a, b),
+                    s.mul(a, b),
+                    s.div(a, b),
+                    s.sqrt(a),
+                    s.abs(a),
+                    s.min(a, b),
+                    s.max(a, b),
+                    s.select(lt, a, b),
+                    s.select(le, a, b),
+                    s.select(eq, a, b),
+                    s.select(s.and(le, s.lt(b, s.splat(2.0))), a, b),
+                    s.select(s.or(lt, eq), a, b),
+                    s.select(s.and_not(le, eq), a, b),
+                ];
+                for (row, v) in rows.iter_mut().zip(values) {
+                    row.extend(keep(v));
+                }
+                out.push(s.bits(le) << start | u32::from(s.any(lt)) >> 31);
+            }
+            rows.push(vec![out.iter().fold(0, |a, b| a | b)]);
+            rows.concat()
+        }
+    }
+
+    #[test]
+    fn all_instruction_sets_give_the_same_bits() {
+        let n = f32::NAN;
+        let i = f32::INFINITY;
+        let a = [0.0, -0.0, 1.0, -2.5, n, i, -i, 1e-38, 3.3, 1e30, 7.0, 0.1, 2.0, n, 5.0, -1e-45];
+        let b = [-0.0, 0.0, 3.0, -2.5, 1.0, i, 1.0, 1e-38, n, 1e30, 0.3, 0.2, -2.0, n, 0.0, 1.0];
+        let results: Vec<_> =
+            Instructions::available().into_iter().map(|set| set.run(Everything(&a, &b))).collect();
+        for result in &results {
+            assert_eq!(result, &results[0]);
+        }
+        assert_eq!(results[0][2], 4.0_f32.to_bits(), "1 + 3");
+    }
+}

@@ -1,0 +1,248 @@
+//! All ways of tracing a ray must agree: with a plain test of every primitive in turn, and on every instruction set.
+
+use super::*;
+use crate::accel::bvh::Node;
+use vitrine_math::{Mat3, Ray, Vec3, hash};
+
+/// Numbers from −1 to 1.
+struct Numbers(u32);
+
+impl Numbers {
+    fn next(&mut self) -> f32 {
+        self.0 += 1;
+        2.0 * hash::unit(hash::mix(self.0)) - 1.0
+    }
+
+    fn vector(&mut self) -> Vec3 {
+        Vec3::new(self.next(), self.next(), self.next())
+    }
+}
+
+fn around(center: Vec3, radius: f32) -> Bounds3 {
+    Bounds3 { min: center - Vec3::splat(radius), max: center + Vec3::splat(radius) }
+}
+
+/// A bit of everything; transparencies 0, 0.25 and 0.5 so that products are exact in any order.
+fn scene(seed: u32) -> Accel {
+    let mut numbers = Numbers(seed.wrapping_mul(7919));
+    let mut p = Primitives::default();
+    let id = |p: &mut Primitives| {
+        let id = p.materials.len() as u32;
+        p.materials.push(MaterialSlots { first: id % 3, by_triangle: false });
+        id
+    };
+    for _ in 0..40 {
+        let (center, radius) = (numbers.vector() * 5.0, 0.05 + numbers.next().abs());
+        let ball = Sphere { center: center.into(), radius, primitive: id(&mut p) };
+        p.spheres.push((ball, around(center, radius)));
+    }
+    for k in 0..30 {
+        let turn = vitrine_math::rotation_from_turn(numbers.vector() * 180.0);
+        let size = Vec3::splat(0.2) + numbers.vector().abs();
+        let center = numbers.vector() * 5.0;
+        let world = Affine3A::from_mat3_translation(turn * Mat3::from_diagonal(size), center);
+        let unit = Unit { unit_from_world: world.inverse(), primitive: id(&mut p) };
+        let bounds = around(center, size.length());
+        if k % 2 == 0 { &mut p.boxes } else { &mut p.ellipsoids }.push((unit, bounds));
+    }
+    for _ in 0..40 {
+        let a = numbers.vector() * 5.0;
+        let points = [a, a + numbers.vector() * 2.0, a + numbers.vector() * 2.0];
+        let id = id(&mut p);
+        p.triangles.push((Triangle::new(points, id), Bounds3::around(points)));
+    }
+    for height in [-4.0, 4.5] {
+        let primitive = id(&mut p);
+        p.planes.push(Plane { n: [0.0, 1.0, 0.0], offset: height, primitive });
+    }
+    let corners: Vec<[Vec3; 3]> = (0..200)
+        .map(|_| {
+            let a = numbers.vector();
+            [a, a + numbers.vector() * 0.4, a + numbers.vector() * 0.4]
+        })
+        .collect();
+    let triangles: Vec<_> = corners.iter().enumerate().map(|(i, c)| Triangle::new(*c, i as u32)).collect();
+    let bounds = |t: &Triangle| Bounds3::around(corners[t.id as usize]);
+    let mesh = Arc::new(MeshAccel::new(&triangles, bounds, (0..200).map(|i| i % 3).collect()));
+    for k in 0..3 {
+        let center = numbers.vector() * 3.0;
+        let turn = vitrine_math::rotation_from_turn(numbers.vector() * 180.0);
+        let world = Affine3A::from_mat3_translation(turn * 2.0, center);
+        let primitive = id(&mut p);
+        p.materials[primitive as usize] = MaterialSlots { first: 0, by_triangle: k > 0 };
+        let instance = Instance { mesh_from_world: world.inverse(), mesh: mesh.clone(), primitive };
+        p.instances.push((instance, around(center, 2.0 * 1.4 * 3.0_f32.sqrt())));
+    }
+    Accel::new(p, vec![0.0, 0.25, 0.5])
+}
+
+/// Rays from everywhere, some along the axes, some short.
+fn rays(seed: u32, count: usize) -> RayStream {
+    let mut numbers = Numbers(seed.wrapping_mul(104_729));
+    let mut rays = RayStream::default();
+    for i in 0..count {
+        let mut direction = numbers.vector();
+        if i % 7 == 0 {
+            direction.x = 0.0;
+        }
+        if i % 21 == 0 {
+            direction.y = 0.0;
+        }
+        let t_max = if i % 3 == 0 { 4.0 } else { f32::INFINITY };
+        rays.push(&Ray { origin: numbers.vector() * 6.0, direction, t_max });
+    }
+    rays
+}
+
+fn fresh(rays: &RayStream) -> Starts {
+    let mut starts = Starts::default();
+    (0..rays.len()).for_each(|_| starts.push_origin());
+    starts
+}
+
+/// The same scene with one leaf for each primitive and no box that culls: every ray is tested against everything.
+fn without_tree(mut accel: Accel) -> Accel {
+    let everywhere = Bounds3 { min: Vec3::splat(-1e6), max: Vec3::splat(1e6) };
+    open(&mut accel.bvh.nodes, &everywhere);
+    for instance in &mut accel.instances {
+        let mesh = Arc::clone(&instance.mesh);
+        let mut nodes = mesh.bvh.nodes.clone();
+        open(&mut nodes, &everywhere);
+        let (triangles, slots) = (mesh.triangles.clone(), mesh.slots.clone());
+        instance.mesh = Arc::new(MeshAccel { bvh: Bvh { nodes }, triangles, slots });
+    }
+    accel
+}
+
+fn open(nodes: &mut [Node], bounds: &Bounds3) {
+    for node in nodes {
+        (node.min, node.max) = (bounds.min.into(), bounds.max.into());
+    }
+}
+
+fn closest(accel: &Accel, rays: &mut RayStream, starts: &mut Starts) -> Vec<Option<Hit>> {
+    let mut hits = HitStream::default();
+    accel.closest(rays, starts, &mut hits);
+    (0..rays.len()).map(|i| hits.get(i)).collect()
+}
+
+#[test]
+fn the_tree_changes_no_hit_and_no_shadow() {
+    for seed in 0..6 {
+        let (tree, all) = (scene(seed), without_tree(scene(seed)));
+        let mut rays = rays(seed, 3000);
+        let mut starts = fresh(&rays);
+        let hits = closest(&tree, &mut rays, &mut starts);
+        assert_eq!(hits, closest(&all, &mut rays, &mut starts));
+        assert!(hits.iter().flatten().count() > 1000, "the test must test something");
+        let (mut a, mut b) = (Vec::new(), Vec::new());
+        tree.transmittance(&mut rays, &mut a);
+        all.transmittance(&mut rays, &mut b);
+        assert_eq!(a, b);
+        assert!(a.iter().any(|t| *t > 0.0 && *t < 1.0) && a.contains(&0.0) && a.contains(&1.0));
+    }
+}
+
+#[test]
+fn every_instruction_set_gives_the_same_bits() {
+    for seed in 10..14 {
+        let mut results = Vec::new();
+        for set in Instructions::available() {
+            let accel = scene(seed).with_instructions(set);
+            let mut rays = rays(seed, 2000);
+            let mut starts = fresh(&rays);
+            let hits = closest(&accel, &mut rays, &mut starts);
+            let mut passes = Vec::new();
+            accel.transmittance(&mut rays, &mut passes);
+            results.push((hits, passes));
+        }
+        assert!(results.iter().all(|r| *r == results[0]));
+    }
+}
+
+/// Going straight on from hit to hit meets every surface once: the product of what they let through is the transmittance.
+#[test]
+fn going_on_after_each_hit_meets_what_the_shadow_ray_crosses() {
+    let accel = scene(3);
+    let mut rays = rays(5, 500);
+    let mut passes = Vec::new();
+    accel.transmittance(&mut rays, &mut passes);
+    for (i, passes) in passes.iter().take(rays.len()).enumerate() {
+        let mut one = RayStream::default();
+        one.push(&rays.get(i));
+        let mut starts = fresh(&one);
+        let mut product = 1.0;
+        while let Some(hit) = closest(&accel, &mut one, &mut starts)[0] {
+            let slot = accel
+                .instances
+                .iter()
+                .find(|x| x.primitive == hit.primitive)
+                .map_or(0, |x| x.mesh.slot(hit.triangle));
+            product *= accel.transparency(hit.primitive, slot);
+            if product == 0.0 {
+                break;
+            }
+            starts.clear();
+            starts.push_hit(&hit);
+        }
+        assert_eq!(product, *passes, "ray {i}");
+    }
+}
+
+#[test]
+fn surfaces_in_one_place_are_both_met_in_order() {
+    let mut p = Primitives::default();
+    for primitive in 0..2 {
+        p.planes.push(Plane { n: [0.0, 1.0, 0.0], offset: 0.0, primitive });
+        p.materials.push(MaterialSlots { first: 0, by_triangle: false });
+    }
+    let accel = Accel::new(p, vec![0.5]);
+    let mut rays = RayStream::default();
+    rays.push(&Ray::new(Vec3::Y, Vec3::new(0.3, -1.0, 0.2)));
+    let mut starts = fresh(&rays);
+    for primitive in 0..2 {
+        let hit = closest(&accel, &mut rays, &mut starts)[0].unwrap();
+        assert_eq!(hit.primitive, primitive);
+        starts.clear();
+        starts.push_hit(&hit);
+    }
+    assert_eq!(closest(&accel, &mut rays, &mut starts), [None]);
+}
+
+/// A ball hit from outside, inside, and missed: against the closed form in double precision.
+#[test]
+fn c1_sphere_distances_are_exact_at_any_scale() {
+    for (radius, distance) in [(1.0_f32, 3.0_f32), (1e-3, 500.0), (1e4, 1e5), (0.5, 0.6)] {
+        let mut p = Primitives::default();
+        let ball = Sphere { center: [0.0, 0.0, -distance], radius, primitive: 0 };
+        p.spheres.push((ball, around(Vec3::new(0.0, 0.0, -distance), radius)));
+        p.materials.push(MaterialSlots { first: 0, by_triangle: false });
+        let accel = Accel::new(p, vec![0.0]);
+        for part in [0.0_f32, 0.5, 0.9] {
+            let offset = radius * part;
+            let mut rays = RayStream::default();
+            rays.push(&Ray::new(Vec3::new(offset, 0.0, 0.0), Vec3::NEG_Z));
+            rays.push(&Ray::new(Vec3::new(offset, 0.0, -distance), Vec3::NEG_Z));
+            rays.push(&Ray::new(Vec3::new(radius * 1.01, 0.0, 0.0), Vec3::NEG_Z));
+            let mut starts = fresh(&rays);
+            let hits = closest(&accel, &mut rays, &mut starts);
+            let depth = (f64::from(radius).powi(2) - f64::from(offset).powi(2)).sqrt();
+            let near = |hit: Option<Hit>, truth: f64| {
+                let t = f64::from(hit.expect("a hit").t);
+                assert!((t - truth).abs() <= 2e-6 * truth.max(depth), "{t} against {truth}");
+            };
+            near(hits[0], f64::from(distance) - depth);
+            near(hits[1], depth);
+            assert_eq!(hits[2], None);
+        }
+    }
+}
+
+#[test]
+fn a_ray_that_ends_before_it_begins_finds_nothing() {
+    let accel = scene(1);
+    let mut rays = RayStream::default();
+    rays.push(&Ray { origin: Vec3::ZERO, direction: Vec3::X, t_max: -1.0 });
+    let mut starts = fresh(&rays);
+    assert_eq!(closest(&accel, &mut rays, &mut starts), [None]);
+}

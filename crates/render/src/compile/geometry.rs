@@ -1,0 +1,249 @@
+//! Objects as primitives that rays can hit.
+
+use super::materials::MaterialTable;
+use crate::accel::primitives::cuboid::Unit;
+use crate::accel::primitives::plane::Plane;
+use crate::accel::primitives::sphere::Sphere;
+use crate::accel::primitives::triangle::Triangle;
+use crate::accel::{Instance, MaterialSlots, MeshAccel, Primitives};
+use crate::error::CompileError;
+use std::collections::HashMap;
+use std::sync::Arc;
+use vitrine_math::{Bounds3, Transform, Vec3};
+use vitrine_scene::{Assets, Geometry, Object, Scene, TriangleMesh};
+
+/// What shading needs to know of a primitive beside where it was hit.
+#[derive(Clone, Debug)]
+pub struct Primitive {
+    /// The form.
+    pub form: Form,
+    /// Its place.
+    pub transform: Transform,
+    /// The index of its first material.
+    pub material: u32,
+    /// Whether a mesh's triangles choose among materials from the first on.
+    pub by_triangle: bool,
+}
+
+/// The form of a primitive.
+#[derive(Clone, Debug)]
+pub enum Form {
+    /// A ball in world space.
+    Sphere {
+        /// The centre.
+        center: Vec3,
+        /// 1 / radius.
+        inv_radius: f32,
+    },
+    /// The unit ball of a space of its own.
+    Ellipsoid {
+        /// From that space to the world.
+        unit: Transform,
+    },
+    /// The cube from −1 to 1 of a space of its own.
+    Box {
+        /// From that space to the world.
+        unit: Transform,
+    },
+    /// A plane.
+    Plane {
+        /// The unit normal in the world.
+        n: Vec3,
+    },
+    /// A triangle in world space.
+    Triangle {
+        /// The corners.
+        points: [Vec3; 3],
+        /// The unit normal.
+        n: Vec3,
+        /// The picture's coordinates at the corners.
+        uvs: [[f32; 2]; 3],
+    },
+    /// A mesh in the space of its object.
+    Mesh {
+        /// The model.
+        mesh: Arc<TriangleMesh>,
+        /// Its rays' side, for the slots of its triangles.
+        accel: Arc<MeshAccel>,
+        /// The middle of its box, around which pictures are laid when it has no coordinates for them.
+        center: Vec3,
+    },
+}
+
+/// All primitives of a scene.
+#[derive(Default)]
+pub struct Collection {
+    pub collected: Primitives,
+    pub primitives: Vec<Primitive>,
+    pub bounds: Bounds3,
+    pub triangles: usize,
+    pub mesh_memory: usize,
+    /// Trees by model, so that objects of one model share one. The key is the model's address, which the value keeps alive.
+    meshes: HashMap<*const TriangleMesh, (Arc<TriangleMesh>, Arc<MeshAccel>)>,
+}
+
+/// Collects what is seen.
+pub fn collect(
+    scene: &Scene,
+    assets: &Assets,
+    table: &mut MaterialTable,
+) -> Result<Collection, CompileError> {
+    let mut all = Collection::default();
+    for object in scene.objects.iter().filter(|o| scene.is_seen(o)) {
+        let missing = || CompileError::MissingModel { object: object.name.clone() };
+        let geometry = object.shape.as_kind().geometry(assets).ok_or_else(missing)?;
+        let (material, by_triangle) = match (&object.material, &geometry) {
+            (None, Geometry::Mesh(mesh)) if !mesh.materials.is_empty() => {
+                (table.add_slots(mesh, assets)?, true)
+            }
+            (name, _) => (table.find(&object.name, name.as_deref())?, false),
+        };
+        let transform = scene.world_from_object(object);
+        let (form, bounds) = all.form(object, geometry, &transform)?;
+        all.bounds = all.bounds.union(bounds);
+        all.collected.materials.push(MaterialSlots { first: material, by_triangle });
+        all.primitives.push(Primitive { form, transform, material, by_triangle });
+    }
+    Ok(all)
+}
+
+impl Collection {
+    /// Adds an object's form to the accelerator's; gives what shading needs and its box.
+    fn form(
+        &mut self,
+        object: &Object,
+        geometry: Geometry,
+        transform: &Transform,
+    ) -> Result<(Form, Bounds3), CompileError> {
+        let (form, bounds) = match geometry {
+            Geometry::Sphere { radius } => self.sphere(radius, transform),
+            Geometry::Box { half } => self.cuboid(half, transform),
+            Geometry::Plane => self.plane(transform),
+            Geometry::Triangle { points, uvs } => self.triangle(points.map(|p| transform.point(p)), uvs),
+            Geometry::Mesh(mesh) => self.mesh(object, mesh, transform)?,
+        };
+        let has_inverse = transform.object_from_world.is_finite();
+        if has_inverse && (bounds.is_empty() || is_usable(&bounds)) {
+            Ok((form, bounds))
+        } else {
+            Err(CompileError::OutOfRange { object: object.name.clone() })
+        }
+    }
+
+    /// The place of the primitive that is being added.
+    fn next_id(&self) -> u32 {
+        self.primitives.len() as u32
+    }
+
+    fn sphere(&mut self, radius: f32, transform: &Transform) -> (Form, Bounds3) {
+        let id = self.next_id();
+        let Some(scale) = transform.uniform_scale() else {
+            let (unit, record, bounds) = unit_form(Vec3::splat(radius), transform, id);
+            self.collected.ellipsoids.push((record, bounds));
+            return (Form::Ellipsoid { unit }, bounds);
+        };
+        let (center, radius) = (transform.point(Vec3::ZERO), radius * scale);
+        let bounds = Bounds3 { min: center - Vec3::splat(radius), max: center + Vec3::splat(radius) };
+        self.collected.spheres.push((Sphere { center: center.into(), radius, primitive: id }, bounds));
+        (Form::Sphere { center, inv_radius: 1.0 / radius }, bounds)
+    }
+
+    fn cuboid(&mut self, half: Vec3, transform: &Transform) -> (Form, Bounds3) {
+        let (unit, record, bounds) = unit_form(half, transform, self.next_id());
+        self.collected.boxes.push((record, bounds));
+        (Form::Box { unit }, bounds)
+    }
+
+    fn plane(&mut self, transform: &Transform) -> (Form, Bounds3) {
+        let n = transform.normal(Vec3::Y);
+        let offset = n.dot(transform.point(Vec3::ZERO));
+        self.collected.planes.push(Plane { n: n.into(), offset, primitive: self.next_id() });
+        (Form::Plane { n }, Bounds3::EMPTY)
+    }
+
+    fn triangle(&mut self, points: [Vec3; 3], uvs: [[f32; 2]; 3]) -> (Form, Bounds3) {
+        let bounds = Bounds3::around(points);
+        self.collected.triangles.push((Triangle::new(points, self.next_id()), bounds));
+        self.triangles += 1;
+        (Form::Triangle { points, n: unit_normal(points), uvs }, bounds)
+    }
+
+    fn mesh(
+        &mut self,
+        object: &Object,
+        mesh: Arc<TriangleMesh>,
+        transform: &Transform,
+    ) -> Result<(Form, Bounds3), CompileError> {
+        let own = mesh.bounds();
+        if !mesh.triangles.is_empty() && !is_usable(&own) {
+            return Err(CompileError::OutOfRange { object: object.name.clone() });
+        }
+        let accel = self.mesh_accel(object, &mesh)?;
+        let bounds = transform.bounds(&own);
+        let primitive = self.next_id();
+        let instance =
+            Instance { mesh_from_world: transform.object_from_world, mesh: accel.clone(), primitive };
+        if !bounds.is_empty() {
+            self.collected.instances.push((instance, bounds));
+        }
+        self.triangles += mesh.triangles.len();
+        Ok((Form::Mesh { mesh, accel, center: own.center() }, bounds))
+    }
+
+    fn mesh_accel(
+        &mut self,
+        object: &Object,
+        mesh: &Arc<TriangleMesh>,
+    ) -> Result<Arc<MeshAccel>, CompileError> {
+        if let Some((_, accel)) = self.meshes.get(&Arc::as_ptr(mesh)) {
+            return Ok(accel.clone());
+        }
+        // Indices travel as the bits of floats, see `accel::NOTHING`.
+        if mesh.triangles.len() >= crate::accel::NOTHING as usize {
+            let triangles = mesh.triangles.len();
+            return Err(CompileError::TooManyTriangles { object: object.name.clone(), triangles });
+        }
+        let corners = |t: [u32; 3]| t.map(|i| mesh.positions[i as usize]);
+        let triangles: Vec<_> =
+            mesh.triangles.iter().enumerate().map(|(i, t)| Triangle::new(corners(*t), i as u32)).collect();
+        let bounds = |t: &Triangle| Bounds3::around(corners(mesh.triangles[t.id as usize]));
+        let accel = Arc::new(MeshAccel::new(&triangles, bounds, slots(mesh)));
+        self.mesh_memory += accel.memory() + mesh.memory();
+        self.meshes.insert(Arc::as_ptr(mesh), (mesh.clone(), accel.clone()));
+        Ok(accel)
+    }
+}
+
+/// A cube or ball of radius 1 stretched to that half size: its space, its record and its box.
+fn unit_form(half: Vec3, transform: &Transform, primitive: u32) -> (Transform, Unit, Bounds3) {
+    let unit = transform.after(&Transform::from_place(Vec3::ZERO, Vec3::ZERO, half));
+    let bounds = unit.bounds(&Bounds3 { min: Vec3::NEG_ONE, max: Vec3::ONE });
+    (unit, Unit { unit_from_world: unit.object_from_world, primitive }, bounds)
+}
+
+/// Each triangle's material slot; empty when the model has no materials.
+fn slots(mesh: &TriangleMesh) -> Vec<u16> {
+    if mesh.materials.is_empty() {
+        return Vec::new();
+    }
+    let mut slots = vec![0; mesh.triangles.len()];
+    for part in &mesh.parts {
+        let slot = part.material.map_or(0, |m| u16::try_from(m + 1).unwrap_or(0));
+        slots[part.triangles.clone()].fill(slot);
+    }
+    slots
+}
+
+/// Whether a form of this size can be computed with: squares of its coordinates stay finite.
+fn is_usable(bounds: &Bounds3) -> bool {
+    let farthest = bounds.min.abs().max(bounds.max.abs()).max_element();
+    bounds.min.is_finite() && bounds.max.is_finite() && (farthest * farthest).is_finite()
+}
+
+/// The unit normal of a triangle, counter-clockwise seen from its tip; any unit vector for one without area.
+pub fn unit_normal([a, b, c]: [Vec3; 3]) -> Vec3 {
+    let (ab, ac) = (b - a, c - a);
+    // Scaled first, so that tiny triangles do not underflow.
+    let scale = ab.abs().max_element().max(ac.abs().max_element());
+    (ab / scale).cross(ac / scale).try_normalize().unwrap_or(Vec3::Y)
+}

@@ -1,0 +1,199 @@
+//! Materials and textures by index.
+
+use crate::error::CompileError;
+use std::collections::HashMap;
+use std::sync::Arc;
+use vitrine_math::Rgb;
+use vitrine_optics::PhongSurface;
+use vitrine_scene::{Assets, Material, Pattern, Picture, Scene, TriangleMesh, Wrap};
+
+/// A material as the classic renderer sees it.
+#[derive(Clone, Debug)]
+pub struct CompiledMaterial {
+    /// Colour and Phong's coefficients.
+    pub phong: PhongSurface,
+    /// The index of the texture in place of the colour.
+    pub texture: Option<usize>,
+    /// 0 to 1.
+    pub reflectivity: f32,
+    /// 0 to 1.
+    pub transparency: f32,
+    /// Index inside / index outside; 1 goes straight on.
+    pub refraction: f32,
+}
+
+impl CompiledMaterial {
+    fn new(material: &Material, texture: Option<usize>) -> Self {
+        let m = material.classic();
+        Self {
+            phong: PhongSurface {
+                color: m.color,
+                diffuse: m.diffuse,
+                specular: m.specular,
+                shininess: m.shininess,
+            },
+            texture,
+            reflectivity: m.reflectivity,
+            transparency: m.transparency,
+            refraction: m.refraction,
+        }
+    }
+}
+
+/// A texture with its pattern at hand.
+#[derive(Clone, Debug)]
+pub struct CompiledTexture {
+    pattern: Pattern,
+    repeat: [f32; 2],
+    shift: [f32; 2],
+}
+
+impl CompiledTexture {
+    /// The colour at a point of the surface: u to the right, v up.
+    #[must_use]
+    pub fn color(&self, [u, v]: [f32; 2]) -> Rgb {
+        let u = u * self.repeat[0] + self.shift[0];
+        let v = v * self.repeat[1] + self.shift[1];
+        match &self.pattern {
+            Pattern::Checker { colors } => {
+                let odd = ((2.0 * u).floor() + (2.0 * v).floor()).rem_euclid(2.0) >= 1.0;
+                colors[usize::from(odd)]
+            }
+            Pattern::Picture { picture, wrap } => bilinear(picture, *wrap, u, v),
+        }
+    }
+}
+
+/// The mean of the four texels around the point, each by its nearness.
+fn bilinear(picture: &Picture, wrap: Wrap, u: f32, v: f32) -> Rgb {
+    let [width, height] = picture.size;
+    // Texels have their middles at halves; the first row is at the top, where v is 1.
+    let (x, y) = (u * width as f32 - 0.5, (1.0 - v) * height as f32 - 0.5);
+    let (x0, y0) = (x.floor(), y.floor());
+    let (fx, fy) = (x - x0, y - y0);
+    let at = |i: f32, n: u32| match wrap {
+        Wrap::Repeat => (i as i64).rem_euclid(i64::from(n)) as u32,
+        Wrap::Clamp => (i as i64).clamp(0, i64::from(n) - 1) as u32,
+    };
+    let texel = |dx: f32, dy: f32| picture.texel(at(x0 + dx, width), at(y0 + dy, height));
+    let top = texel(0.0, 0.0).lerp(texel(1.0, 0.0), fx);
+    let bottom = texel(0.0, 1.0).lerp(texel(1.0, 1.0), fx);
+    top.lerp(bottom, fy)
+}
+
+/// All materials and textures, by name while compiling.
+pub struct MaterialTable {
+    pub materials: Vec<CompiledMaterial>,
+    pub textures: Vec<CompiledTexture>,
+    by_name: HashMap<String, u32>,
+    /// The material of things that state none.
+    unstated: u32,
+}
+
+impl MaterialTable {
+    pub fn new(scene: &Scene, assets: &Assets) -> Result<Self, CompileError> {
+        let mut textures = Vec::with_capacity(scene.textures.len());
+        let mut texture_index = HashMap::new();
+        for (i, texture) in scene.textures.iter().enumerate() {
+            let pattern = texture.source.as_kind().pattern(assets);
+            let missing = || CompileError::MissingPicture { texture: texture.name.clone() };
+            let pattern = pattern.ok_or_else(missing)?;
+            textures.push(CompiledTexture { pattern, repeat: texture.repeat, shift: texture.shift });
+            texture_index.insert(texture.name.as_str(), i);
+        }
+        let (mut materials, mut by_name) = (Vec::new(), HashMap::new());
+        for material in &scene.materials {
+            let missing = |name: &String| CompileError::MissingName {
+                owner: material.name.clone(),
+                name: name.clone(),
+            };
+            let texture = match &material.texture {
+                Some(name) => Some(*texture_index.get(name.as_str()).ok_or_else(|| missing(name))?),
+                None => None,
+            };
+            by_name.insert(material.name.clone(), materials.len() as u32);
+            materials.push(CompiledMaterial::new(material, texture));
+        }
+        let unstated = materials.len() as u32;
+        materials.push(CompiledMaterial::new(&Material::default(), None));
+        Ok(Self { materials, textures, by_name, unstated })
+    }
+
+    /// The index of a material by name; that of a plain grey one for None.
+    pub fn find(&self, owner: &str, name: Option<&str>) -> Result<u32, CompileError> {
+        let Some(name) = name else { return Ok(self.unstated) };
+        self.by_name
+            .get(name)
+            .copied()
+            .ok_or_else(|| CompileError::MissingName { owner: owner.to_owned(), name: name.to_owned() })
+    }
+
+    /// Adds a model's own materials. Slot 0 is that of triangles without any, slot k + 1 the model's material k.
+    pub fn add_slots(&mut self, mesh: &TriangleMesh, assets: &Assets) -> Result<u32, CompileError> {
+        let first = self.materials.len() as u32;
+        self.materials.push(self.materials[self.unstated as usize].clone());
+        for slot in &mesh.materials {
+            let texture = match &slot.picture {
+                None => None,
+                Some(path) => {
+                    let missing = || CompileError::MissingPicture { texture: slot.material.name.clone() };
+                    let picture = Arc::clone(assets.pictures.get(path).ok_or_else(missing)?);
+                    let pattern = Pattern::Picture { picture, wrap: Wrap::Repeat };
+                    self.textures.push(CompiledTexture { pattern, repeat: [1.0; 2], shift: [0.0; 2] });
+                    Some(self.textures.len() - 1)
+                }
+            };
+            self.materials.push(CompiledMaterial::new(&slot.material, texture));
+        }
+        Ok(first)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Black, white over red, green.
+    fn picture() -> Arc<Picture> {
+        let texels = vec![[0, 0, 0], [255, 255, 255], [255, 0, 0], [0, 255, 0]];
+        Arc::new(Picture { size: [2, 2], texels })
+    }
+
+    fn texture(wrap: Wrap) -> CompiledTexture {
+        let pattern = Pattern::Picture { picture: picture(), wrap };
+        CompiledTexture { pattern, repeat: [1.0; 2], shift: [0.0; 2] }
+    }
+
+    #[test]
+    fn middles_of_texels_are_exact_and_v_goes_up() {
+        let t = texture(Wrap::Repeat);
+        assert_eq!(t.color([0.25, 0.75]), Rgb::BLACK);
+        assert_eq!(t.color([0.75, 0.75]), Rgb::WHITE);
+        assert_eq!(t.color([0.25, 0.25]), Rgb::new(1.0, 0.0, 0.0));
+        assert_eq!(t.color([0.75, 0.25]), Rgb::new(0.0, 1.0, 0.0));
+    }
+
+    #[test]
+    fn between_texels_the_linear_colours_mix() {
+        let mid = texture(Wrap::Clamp).color([0.5, 0.75]);
+        assert!((mid.g - 0.5).abs() < 1e-6, "half of black and white in linear light: {mid:?}");
+    }
+
+    #[test]
+    fn beyond_the_edge_it_repeats_or_keeps_the_edge() {
+        assert_eq!(texture(Wrap::Repeat).color([1.25, -0.25]), Rgb::BLACK);
+        assert_eq!(texture(Wrap::Clamp).color([-7.0, 0.25]), Rgb::new(1.0, 0.0, 0.0));
+        assert_eq!(texture(Wrap::Clamp).color([9.0, 9.0]), Rgb::WHITE);
+    }
+
+    #[test]
+    fn checker_alternates_on_both_sides_of_zero() {
+        let colors = [Rgb::WHITE, Rgb::BLACK];
+        let pattern = Pattern::Checker { colors };
+        let t = CompiledTexture { pattern, repeat: [1.0; 2], shift: [0.0; 2] };
+        assert_eq!(t.color([0.1, 0.1]), Rgb::WHITE);
+        assert_eq!(t.color([0.6, 0.1]), Rgb::BLACK);
+        assert_eq!(t.color([-0.1, 0.1]), Rgb::BLACK);
+        assert_eq!(t.color([-0.1, -0.1]), Rgb::WHITE);
+    }
+}

@@ -1,0 +1,60 @@
+//! What can go wrong before a picture is rendered.
+
+use vitrine_film::RegionError;
+
+/// Why a scene cannot be made ready.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum CompileError {
+    /// A model that an object needs is not among the assets.
+    #[error("the model of the object `{object}` has not been loaded")]
+    MissingModel {
+        /// The object.
+        object: String,
+    },
+    /// A picture that a texture needs is not among the assets.
+    #[error("the picture of the texture `{texture}` has not been loaded")]
+    MissingPicture {
+        /// The texture, or the model's material.
+        texture: String,
+    },
+    /// A name that the scene does not have.
+    #[error("`{owner}` refers to `{name}`, which the scene does not have")]
+    MissingName {
+        /// What refers to it.
+        owner: String,
+        /// The name.
+        name: String,
+    },
+    /// Numbers so large that they leave the range of 32-bit floats.
+    #[error("the object `{object}` is too large or too far away to compute with")]
+    OutOfRange {
+        /// The object.
+        object: String,
+    },
+    /// More triangles than an index can count.
+    #[error("the model of the object `{object}` has too many triangles ({triangles})")]
+    TooManyTriangles {
+        /// The object.
+        object: String,
+        /// How many.
+        triangles: usize,
+    },
+}
+
+/// Why a job cannot be started.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum RenderError {
+    /// The region is not a part of the picture.
+    #[error(transparent)]
+    Region(#[from] RegionError),
+    /// The picture is too large.
+    #[error("a picture of {width} × {height} pixels is too large: {limit} pixels at most")]
+    TooLarge {
+        /// Pixels.
+        width: u32,
+        /// Pixels.
+        height: u32,
+        /// The most pixels that a picture may have.
+        limit: u64,
+    },
+}

@@ -1,0 +1,248 @@
+//! The classic renderer: recursive ray tracing with Phong's lighting (Whitted, "An Improved Illumination Model for Shaded
+//! Display", CACM 23(6), 1980; course work, section 2), and ray casting as the case without secondary rays.
+//!
+//! At a surface of colour A, reflectivity r and α = 1 − transparency:
+//!
+//!   C = α·((1 − r)·A + r·mirrored) + (1 − α)·behind
+//!
+//! The recursion is unrolled into waves: all rays of a tile are traced together, each with the weight that its light has in
+//! its pixel, and what they meet gives the next wave. So rays go in packets, and nothing depends on threads.
+
+use super::TileTask;
+use super::light::{LightQueue, Lit};
+use crate::accel::{Hit, HitStream, RayStream, Starts};
+use crate::compile::{CompiledMaterial, CompiledScene};
+use crate::samplers::in_pixel;
+use crate::surface::SurfaceInteraction;
+use vitrine_math::{Ray, Rgb, offset_origin};
+use vitrine_optics::{PhongSurface, reflect, refract};
+
+/// Light with less weight than this in its pixel is not followed: it is below a tenth of the smallest step of an 8-bit picture.
+const MIN_WEIGHT: f32 = 2e-5;
+
+/// So many surfaces a ray may pass on its way; then it sees the background.
+const MAX_CROSSINGS: u8 = 100;
+
+/// How far the light is followed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reach {
+    /// Mirror images, what is behind transparent surfaces, shadows.
+    Recursive,
+    /// The nearest surface alone.
+    CameraOnly,
+}
+
+/// What a ray of a wave carries.
+#[derive(Clone, Copy, Debug)]
+struct Errand {
+    /// The pixel, by its place in the tile.
+    pixel: u32,
+    /// How much of what it sees reaches the pixel.
+    weight: f32,
+    /// How many times it may be mirrored yet.
+    reflections: u8,
+    /// How many surfaces it has passed.
+    crossings: u8,
+}
+
+/// Rays that are traced together.
+#[derive(Debug, Default)]
+struct Wave {
+    rays: RayStream,
+    starts: Starts,
+    errands: Vec<Errand>,
+}
+
+impl Wave {
+    fn clear(&mut self) {
+        self.rays.clear();
+        self.starts.clear();
+        self.errands.clear();
+    }
+
+    #[inline(always)]
+    fn push(&mut self, ray: &Ray, errand: Errand) {
+        self.rays.push(ray);
+        self.starts.push_origin();
+        self.errands.push(errand);
+    }
+
+    /// The ray goes straight on after a hit.
+    #[inline(always)]
+    fn push_on(&mut self, ray: &Ray, hit: &Hit, errand: Errand) {
+        self.rays.push(ray);
+        self.starts.push_hit(hit);
+        self.errands.push(errand);
+    }
+}
+
+/// The waves of one thread.
+#[derive(Debug, Default)]
+pub struct Waves {
+    now: Wave,
+    onward: Wave,
+    mirrored: Wave,
+    hits: HitStream,
+    lights: LightQueue,
+    sums: Vec<Rgb>,
+    rays: u64,
+}
+
+impl Waves {
+    /// The sums of a tile's samples, row by row, and the number of rays.
+    pub fn fill(&mut self, task: &TileTask, reach: Reach) -> (Vec<Rgb>, u64) {
+        self.sums = vec![Rgb::BLACK; task.tile.pixels()];
+        self.rays = 0;
+        for sample in task.samples.clone() {
+            self.start(task, sample, reach);
+            loop {
+                // Onward rays first: they stay together with their neighbours.
+                let next = if self.onward.rays.is_empty() { &mut self.mirrored } else { &mut self.onward };
+                if next.rays.is_empty() {
+                    break;
+                }
+                std::mem::swap(&mut self.now, next);
+                next.clear();
+                self.trace(task, sample, reach);
+            }
+        }
+        (std::mem::take(&mut self.sums), self.rays)
+    }
+
+    /// Camera rays, block by block of 4 × 4 pixels so that packets are compact.
+    fn start(&mut self, task: &TileTask, sample: u32, reach: Reach) {
+        const BLOCK: u32 = 4;
+        let (tile, size) = (task.tile, task.settings.size);
+        // A single sample is the pixel's middle; in_pixel(0) is.
+        let [dx, dy] = in_pixel(sample);
+        let reflections = match reach {
+            Reach::Recursive => u8::try_from(task.settings.depth).unwrap_or(u8::MAX),
+            Reach::CameraOnly => 0,
+        };
+        self.now.clear();
+        self.mirrored.clear();
+        self.onward.clear();
+        for top in (0..tile.height).step_by(BLOCK as usize) {
+            for left in (0..tile.width).step_by(BLOCK as usize) {
+                for y in top..(top + BLOCK).min(tile.height) {
+                    for x in left..(left + BLOCK).min(tile.width) {
+                        let at = [(tile.x + x) as f32 + dx, (tile.y + y) as f32 + dy];
+                        let ray = task.scene.camera.generate_ray(at, size);
+                        let pixel = y * tile.width + x;
+                        self.onward.push(&ray, Errand { pixel, weight: 1.0, reflections, crossings: 0 });
+                    }
+                }
+            }
+        }
+    }
+
+    fn trace(&mut self, task: &TileTask, sample: u32, reach: Reach) {
+        let scene = task.scene;
+        self.rays += self.now.rays.len() as u64;
+        scene.accel.closest(&mut self.now.rays, &mut self.now.starts, &mut self.hits);
+        self.lights.clear();
+        for i in 0..self.now.errands.len() {
+            let errand = self.now.errands[i];
+            let Some(hit) = self.hits.get(i) else {
+                self.sums[errand.pixel as usize] += scene.background * errand.weight;
+                continue;
+            };
+            let ray = self.now.rays.get(i);
+            let surface = scene.surface(&ray, &hit);
+            let material = scene.material(&surface);
+            let view = View { scene, ray: &ray, hit: &hit, surface: &surface, material };
+            match reach {
+                Reach::CameraOnly => self.show(&view, errand.pixel, errand.weight),
+                Reach::Recursive => self.spread(&view, errand),
+            }
+        }
+        self.rays += match reach {
+            Reach::CameraOnly => self.lights.shade_unshadowed(scene, &mut self.sums),
+            Reach::Recursive => self.lights.shade(task, sample, &mut self.sums),
+        };
+    }
+
+    /// The light of a surface itself, with that weight in its pixel.
+    #[inline(always)]
+    fn show(&mut self, view: &View, pixel: u32, weight: f32) {
+        let phong = view.phong();
+        self.sums[pixel as usize] += phong.color * view.scene.ambient * weight;
+        let &SurfaceInteraction { p, n, ns, wo, .. } = view.surface;
+        self.lights.push(Lit { p, n, ns, wo, phong, pixel, weight });
+    }
+
+    /// Shares a ray's weight among the surface's own light, its mirror image and what is behind.
+    #[inline(always)]
+    fn spread(&mut self, view: &View, errand: Errand) {
+        let material = view.material;
+        let opaque = errand.weight * (1.0 - material.transparency);
+        // At the end of the recursion a mirror shows its own colour.
+        let mirror = if errand.reflections > 0 { material.reflectivity } else { 0.0 };
+        let own = opaque * (1.0 - mirror);
+        if own > MIN_WEIGHT {
+            self.show(view, errand.pixel, own);
+        }
+        let reflected = opaque * mirror;
+        if reflected > MIN_WEIGHT {
+            let errand = Errand { weight: reflected, reflections: errand.reflections - 1, ..errand };
+            self.mirrored.push(&view.mirrored(), errand);
+        }
+        let through = errand.weight * material.transparency;
+        if through > MIN_WEIGHT {
+            self.go_on(view, Errand { weight: through, ..errand });
+        }
+    }
+
+    #[inline(always)]
+    fn go_on(&mut self, view: &View, errand: Errand) {
+        if errand.crossings >= MAX_CROSSINGS {
+            self.sums[errand.pixel as usize] += view.scene.background * errand.weight;
+            return;
+        }
+        let errand = Errand { crossings: errand.crossings + 1, ..errand };
+        if view.material.refraction == 1.0 {
+            self.onward.push_on(view.ray, view.hit, errand);
+        } else {
+            self.onward.push(&view.bent(), errand);
+        }
+    }
+}
+
+/// A hit with all that belongs to it.
+struct View<'a> {
+    scene: &'a CompiledScene,
+    ray: &'a Ray,
+    hit: &'a Hit,
+    surface: &'a SurfaceInteraction,
+    material: &'a CompiledMaterial,
+}
+
+impl View<'_> {
+    #[inline(always)]
+    fn phong(&self) -> PhongSurface {
+        let phong = self.material.phong;
+        let Some(texture) = self.material.texture else { return phong };
+        let at = self.scene.texture_point(self.surface.p, self.hit);
+        PhongSurface { color: self.scene.textures[texture].color(at), ..phong }
+    }
+
+    /// The mirror ray.
+    fn mirrored(&self) -> Ray {
+        let s = self.surface;
+        let wi = reflect(s.wo, s.ns);
+        // A smooth normal may send it into the surface: then the form's own normal decides.
+        let wi = if wi.dot(s.n) > 0.0 { wi } else { reflect(s.wo, s.n) };
+        Ray::new(offset_origin(s.p, s.n), wi.normalize())
+    }
+
+    /// The refracted ray, or at total reflection the mirror ray.
+    fn bent(&self) -> Ray {
+        let s = self.surface;
+        let eta = self.material.refraction;
+        let eta = if s.is_outside { eta } else { 1.0 / eta };
+        match refract(s.wo, s.ns, eta) {
+            Some(wi) if wi.dot(s.n) < 0.0 => Ray::new(offset_origin(s.p, -s.n), wi.normalize()),
+            _ => self.mirrored(),
+        }
+    }
+}
