@@ -225,7 +225,8 @@ impl ParamSpec {
         }
         let fits = match (self.kind, value) {
             (ParamKind::Flag, Value::Flag(_))
-            | (ParamKind::Text | ParamKind::Reference(_) | ParamKind::File, Value::Text(_)) => true,
+            | (ParamKind::Text | ParamKind::Reference(_), Value::Text(_)) => true,
+            (ParamKind::File, Value::Text(t)) => !t.trim().is_empty(),
             (ParamKind::Integer { min, max }, Value::Integer(v)) => (min..=max).contains(v),
             (ParamKind::Number(range), Value::Number(v)) => range.contains(*v),
             (ParamKind::Size { min, max }, Value::Size(s)) => s.iter().all(|v| (min..=max).contains(v)),

@@ -1,6 +1,9 @@
 //! The whole scene.
 
-use crate::{Camera, Group, Light, ListName, Material, Object, Params, Settings, Texture};
+use crate::{
+    Camera, Group, KindSpec, Light, LightSource, ListName, Material, Object, ParamSpec, Params, Settings,
+    Shape, Texture, TextureSource,
+};
 use vitrine_math::Transform;
 
 /// Everything that a scene file says.
@@ -28,6 +31,12 @@ pub struct Scene {
 pub trait Item: Params {
     /// Its list.
     const LIST: ListName;
+    /// What the entries of its list are, in plain English.
+    const ABOUT: &'static str;
+    /// Its own parameters, without its kind's.
+    const OWN_SPECS: &'static [ParamSpec];
+    /// The key that states its kind (`shape`) and the register of kinds; None when there are no kinds.
+    const KINDS: Option<(&'static str, &'static [KindSpec])> = None;
 
     /// Its name.
     fn name(&self) -> &str;
@@ -38,6 +47,11 @@ pub trait Item: Params {
     /// The key and the word of its kind, such as `shape` and `sphere`.
     fn kind(&self) -> Option<(&'static str, &'static str)> {
         None
+    }
+
+    /// Makes it another kind, with that kind's defaults. False, and nothing changes, when there is no such kind.
+    fn set_kind(&mut self, _word: &str) -> bool {
+        false
     }
 
     /// The parameters of its kind.
@@ -52,9 +66,12 @@ pub trait Item: Params {
 }
 
 macro_rules! items {
-    ($($type:ty: $list:ident $(, $key:literal $field:ident)?;)*) => {$(
+    ($($type:ty: $list:ident $(, $key:literal $field:ident $family:ty)?;)*) => {$(
         impl Item for $type {
             const LIST: ListName = ListName::$list;
+            const ABOUT: &'static str = <$type>::DOC;
+            const OWN_SPECS: &'static [ParamSpec] = <$type>::SPECS;
+            $(const KINDS: Option<(&'static str, &'static [KindSpec])> = Some(($key, <$family>::KINDS));)?
 
             fn name(&self) -> &str {
                 &self.name
@@ -67,6 +84,11 @@ macro_rules! items {
             $(
                 fn kind(&self) -> Option<(&'static str, &'static str)> {
                     Some(($key, self.$field.kind()))
+                }
+
+                fn set_kind(&mut self, word: &str) -> bool {
+                    let kind = <$family>::from_kind(word);
+                    kind.map(|k| self.$field = k).is_some()
                 }
 
                 fn kind_params(&self) -> Option<&dyn Params> {
@@ -82,11 +104,11 @@ macro_rules! items {
 }
 
 items! {
-    Light: Light, "kind" source;
-    Texture: Texture, "kind" source;
+    Light: Light, "kind" source LightSource;
+    Texture: Texture, "kind" source TextureSource;
     Material: Material;
     Group: Group;
-    Object: Object, "shape" shape;
+    Object: Object, "shape" shape Shape;
 }
 
 /// More groups inside one another than this are taken for a cycle.
