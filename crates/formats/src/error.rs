@@ -2,6 +2,7 @@
 //!
 //! A message says what is wrong and ends with the path; [`FormatError::help`] says how to mend it.
 
+use crate::SceneFileError;
 use std::io;
 use std::path::PathBuf;
 
@@ -39,6 +40,19 @@ pub enum FormatError {
         /// The most bytes.
         limit: u64,
     },
+    /// The file should be text and is not.
+    #[error("the file is not UTF-8 text, see byte {} ({byte:#04x}): {}", position + 1, path.display())]
+    NotText {
+        /// The file.
+        path: PathBuf,
+        /// How many good bytes come before the bad one.
+        position: usize,
+        /// The first bad byte.
+        byte: u8,
+    },
+    /// A scene file says something wrong.
+    #[error(transparent)]
+    Scene(#[from] Box<SceneFileError>),
     /// No reader or writer knows the extension.
     #[error("the extension of the file is not that of {what}: {}", path.display())]
     UnknownExtension {
@@ -153,6 +167,13 @@ impl FormatError {
             Self::NotAFile { .. } => "give the path of a file".into(),
             Self::Unreadable { .. } => "check that you may read the file".into(),
             Self::TooLarge { .. } => "use a smaller or simplified file".into(),
+            Self::NotText { position: 0, byte: 0xfe | 0xff, .. } => {
+                "it looks like UTF-16: save it as UTF-8 in your editor".into()
+            }
+            Self::NotText { .. } => {
+                "open it in a text editor and save it as UTF-8, if it is a text at all".into()
+            }
+            Self::Scene(error) => error.findings.first().map_or_else(String::new, |f| f.help.clone()),
             Self::UnknownExtension { supported, .. } => format!("known are {supported}"),
             Self::Model { help, .. } | Self::ModelLine { help, .. } => help.clone(),
             Self::NotAPicture { .. } => "save the picture as PNG or JPEG".into(),

@@ -6,6 +6,7 @@ mod disc;
 mod error;
 pub mod image_file;
 pub mod mesh_file;
+pub mod scene_file;
 
 pub use assets::load_assets;
 pub use atomic::write_atomically;
@@ -14,6 +15,7 @@ pub use image_file::{
     BitDepth, IMAGE_FORMATS, ImageFormat, WriteOptions, encode, image_format, read_picture, write_image,
 };
 pub use mesh_file::{MESH_FORMATS, read_mesh};
+pub use scene_file::{Finding, SceneFile, SceneFileError};
 
 /// Extensions for a message: ".png, .jpg, .jpeg".
 fn list_extensions<'a>(extensions: impl Iterator<Item = &'a &'a str>) -> String {
