@@ -1,6 +1,7 @@
 //! Model files. A new format is a file beside these and a line in the register below.
 
 mod builder;
+mod crossing;
 mod lines;
 pub mod mtl;
 pub mod obj;

@@ -18,7 +18,7 @@ pub const FORMAT: MeshFormat = MeshFormat { name: "Wavefront OBJ", extensions: &
 
 /// The most bytes of a file.
 const MAX_FILE: u64 = 2 << 30;
-/// The most corners of a polygon. To cut a wild one takes time that grows with the square of it.
+/// The most corners of a polygon. To cut one takes time that can grow with the square of it.
 const MAX_CORNERS: usize = 1 << 14;
 /// The most names that one warning lists.
 const MAX_NAMES: usize = 5;
@@ -199,8 +199,10 @@ impl Model {
         warn(self.lines_and_points, "lines and points are left out, as only faces are shown");
         warn(self.free_forms, "curves and free-form surfaces are left out, as only faces are shown");
         let found = read_libraries(&self.libraries, path, library, &mut warnings);
+        let any_library = !found.is_empty();
         let missing = take_materials(&mut mesh, &self.material_names, found);
-        if !missing.is_empty() {
+        // Without any library nobody expects its materials, or has been told.
+        if any_library && !missing.is_empty() {
             let more = if missing.len() > MAX_NAMES { ", …" } else { "" };
             let names: Vec<_> = missing.iter().take(MAX_NAMES).map(|n| quote(n)).collect();
             warnings.push(format!("there is no material {}{more}: {}", names.join(", "), path.display()));

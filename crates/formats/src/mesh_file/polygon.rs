@@ -1,8 +1,12 @@
 //! Cuts polygons of any form into triangles.
 
+use super::crossing::crosses_itself;
 use earcut::Earcut;
 use glam::DVec3;
 use vitrine_math::Vec3;
+
+/// Polygons with more corners are cut by their ears only if they do not cross themselves.
+const MAX_WILD: usize = 100;
 
 /// Cuts one polygon after the other; it keeps its memory.
 #[derive(Default)]
@@ -39,7 +43,14 @@ impl PolygonCutter {
         let mirrored = normal[3 - u - v] < 0.0;
         self.flat.clear();
         self.flat.extend(corners.iter().map(|p| [f64::from(p[u]), f64::from(p[v])]));
-        self.earcut.get_or_insert_with(Earcut::new).earcut(self.flat.iter().copied(), &[], &mut self.pieces);
+        if self.flat.len() > MAX_WILD && crosses_itself(&self.flat) {
+            let fan = (2..corners.len() as u32).flat_map(|i| [0, i - 1, i]);
+            self.pieces.clear();
+            self.pieces.extend(fan);
+        } else {
+            let earcut = self.earcut.get_or_insert_with(Earcut::new);
+            earcut.earcut(self.flat.iter().copied(), &[], &mut self.pieces);
+        }
         for piece in self.pieces.chunks_exact(3) {
             let [a, b, c] = [piece[0], piece[1], piece[2]];
             let [p, q, r] = [a, b, c].map(|i| self.flat[i as usize]);
@@ -133,6 +144,14 @@ mod tests {
             let triangles = cutter.cut(&corners);
             assert!(triangles.iter().all(|t| double_area(t.map(|i| corners[i as usize])) == DVec3::ZERO));
         }
+    }
+
+    #[test]
+    fn a_wild_outline_of_many_corners_is_cut_somehow() {
+        // A box's corners again and again: by ears this takes seconds.
+        let corners: Vec<_> =
+            (0..4000_u32).map(|i| Vec3::from([0, 1, 2].map(|axis| (i >> axis & 1) as f32))).collect();
+        assert_eq!(PolygonCutter::default().cut(&corners).len(), 3998);
     }
 
     proptest! {

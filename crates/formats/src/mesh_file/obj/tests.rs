@@ -104,16 +104,14 @@ fn libraries_in_folders_with_spaces_and_several_in_one_line() {
 fn missing_and_broken_libraries_are_warnings() {
     let (m, warnings) = parse_text(&format!("mtllib a.mtl\n{TRIANGLE}usemtl red\nf 1 2 3\n")).unwrap();
     assert_eq!(m.parts[0].material, None);
-    assert_eq!(
-        warnings,
-        [
-            "the model's materials are missing, there is no such file: a.mtl",
-            "there is no material `red`: a.obj",
-        ]
-    );
+    assert_eq!(warnings, ["the model's materials are missing, there is no such file: a.mtl"]);
     let text = format!("mtllib a.mtl\n{TRIANGLE}f 1 2 3\n");
     let (_, warnings) = parse(text.as_bytes(), Path::new("a.obj"), &mut |_| Ok(vec![0; 9])).unwrap();
     assert_eq!(warnings, ["the model's materials are missing, line 1: this is not text: a.mtl"]);
+    let text = format!("mtllib a.mtl\n{TRIANGLE}usemtl red\nf 1 2 3\n");
+    let library = |_: &str| Ok(b"newmtl blue".to_vec());
+    let (_, warnings) = parse(text.as_bytes(), Path::new("a.obj"), &mut { library }).unwrap();
+    assert_eq!(warnings, ["there is no material `red`: a.obj"]);
 }
 
 #[test]
