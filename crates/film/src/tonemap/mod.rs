@@ -25,7 +25,14 @@ impl ViewTransform {
     /// The picture in 8 bits a channel: red, green, blue, row by row.
     #[must_use]
     pub fn to_u8(self, image: &Image) -> Vec<u8> {
-        self.channels(image).map(|v| (v * 255.0 + 0.5) as u8).collect()
+        let mut bytes = Vec::with_capacity(image.pixels.len() * 3);
+        match self {
+            Self::Srgb => {
+                let display = srgb::display_u8();
+                image.pixels.iter().for_each(|p| bytes.extend(p.to_array().map(&display)));
+            }
+        }
+        bytes
     }
 
     /// The picture in 16 bits a channel: red, green, blue, row by row.
