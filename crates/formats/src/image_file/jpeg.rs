@@ -1,4 +1,4 @@
-//! JPEG: display colours in 8 bits; metadata as comments, one "key: text" each.
+//! JPEG: display colours in 8 bits; metadata as a comment, "key: text" in each line.
 
 use super::{ImageFormat, WriteOptions, one_line};
 use image::codecs::jpeg::JpegEncoder;
@@ -17,17 +17,21 @@ fn encode(image: &Image, options: &WriteOptions) -> Result<Vec<u8>, String> {
     JpegEncoder::new_with_quality(&mut file, options.jpeg_quality.clamp(1, 100))
         .write_image(&options.view.to_u8(image), width, height, ExtendedColorType::Rgb8)
         .map_err(|e| e.to_string())?;
-    // Comments stand after the first segment, which must open the file: 2 bytes of marker, 2 of length, its content.
+    // The comment stands after the first segment, which must open the file: 2 bytes of marker, 2 of length, its content.
     let [_, _, _, _, high, low, ..] = file[..] else { return Err("the encoder failed".into()) };
     let place = (4 + usize::from(u16::from_be_bytes([high, low]))).min(file.len());
-    file.splice(place..place, options.metadata.iter().flat_map(comment));
+    file.splice(place..place, comment(&options.metadata));
     Ok(file)
 }
 
-fn comment((key, text): &(String, String)) -> Vec<u8> {
-    let mut text = format!("{key}: {}", one_line(text));
+fn comment(metadata: &[(String, String)]) -> Vec<u8> {
+    let lines: Vec<_> = metadata.iter().map(|(key, text)| format!("{key}: {}", one_line(text))).collect();
+    let mut text = lines.join("\n");
     while text.len() > MAX_COMMENT {
         text.pop();
+    }
+    if text.is_empty() {
+        return Vec::new();
     }
     let mut segment = vec![0xff, 0xfe];
     segment.extend((text.len() as u16 + 2).to_be_bytes());
