@@ -40,9 +40,9 @@ fn keys() {
             "did you mean `radius`?",
         ),
         (
-            "[[object]]\nname = \"crate\"\nshape = \"box\"\nradius = 3",
-            "radius",
-            "`radius` belongs to shape \"sphere\", and [[object]] \"crate\" is of shape \"box\"",
+            "[[object]]\nname = \"crate\"\nshape = \"box\"\nsmooth = true",
+            "smooth",
+            "`smooth` belongs to shape \"mesh\", and [[object]] \"crate\" is of shape \"box\"",
             "\"box\" has `size`",
         ),
         (
