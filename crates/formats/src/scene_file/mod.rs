@@ -3,15 +3,22 @@
 //! The frame of the file (sections, lists, `name`, `kind`) is known here; the keys in it come from the descriptions in
 //! `vitrine-scene`. TOML itself is `toml_edit`'s business.
 
+mod edit;
 mod finding;
 mod outline;
+mod pairing;
+mod print;
 mod read;
 mod section;
 mod syntax;
+mod text;
 mod value;
+mod view;
 mod wording;
+mod write;
 
 pub use finding::{Finding, SceneFileError};
+pub use write::print_new;
 
 use crate::{FormatError, disc};
 use std::path::{Path, PathBuf};
@@ -88,6 +95,13 @@ impl SceneFile {
     #[must_use]
     pub fn text(&self) -> &str {
         &self.text
+    }
+
+    /// The file's text, changed so that it says this scene. Remarks, order and formatting of all that has not changed stay
+    /// to the byte. Entries that were renamed, moved, added or removed are found out.
+    #[must_use]
+    pub fn print(&self, scene: &Scene) -> String {
+        print::print(&self.text, &self.scene, scene)
     }
 
     /// What may not be as it was meant, such as a scene without light.

@@ -13,6 +13,8 @@ pub(super) struct Entry<'d> {
     pub table: &'d dyn TableLike,
     /// Its header; the whole of it where it stands in braces.
     pub span: Range<usize>,
+    /// Whether it stands under a header; not with dots or in braces.
+    pub has_header: bool,
 }
 
 impl Entry<'_> {
@@ -84,8 +86,8 @@ impl<'d> Outline<'d> {
 fn single_entry<'d>(item: &'d Item, key: &Range<usize>) -> Result<Entry<'d>, Range<usize>> {
     let span = item.span().unwrap_or_else(|| key.clone());
     match item {
-        Item::Table(table) => Ok(Entry { table, span }),
-        Item::Value(Value::InlineTable(table)) => Ok(Entry { table, span }),
+        Item::Table(table) => Ok(Entry { table, span, has_header: !table.is_dotted() }),
+        Item::Value(Value::InlineTable(table)) => Ok(Entry { table, span, has_header: false }),
         Item::ArrayOfTables(tables) => Err(tables.get(0).and_then(Table::span).unwrap_or(span)),
         _ => Err(span),
     }
@@ -95,12 +97,13 @@ fn single_entry<'d>(item: &'d Item, key: &Range<usize>) -> Result<Entry<'d>, Ran
 fn list_entries<'d>(item: &'d Item, key: &Range<usize>) -> Result<Vec<Entry<'d>>, Range<usize>> {
     let span = |span: Option<Range<usize>>| span.unwrap_or_else(|| key.clone());
     match item {
-        Item::ArrayOfTables(tables) => {
-            Ok(tables.iter().map(|table| Entry { table, span: span(table.span()) }).collect())
-        }
+        Item::ArrayOfTables(tables) => Ok(tables
+            .iter()
+            .map(|table| Entry { table, span: span(table.span()), has_header: true })
+            .collect()),
         Item::Value(Value::Array(values)) => {
             let entry = |value: &'d Value| match value {
-                Value::InlineTable(table) => Ok(Entry { table, span: span(table.span()) }),
+                Value::InlineTable(table) => Ok(Entry { table, span: span(table.span()), has_header: false }),
                 other => Err(span(other.span())),
             };
             values.iter().map(entry).collect()

@@ -29,6 +29,20 @@ pub(super) fn read_value(spec: &ParamSpec, value: &Toml, source: &str) -> Result
     Ok(read)
 }
 
+/// A number, whole or not; None when it is something else.
+pub(super) fn read_number(value: &Toml, source: &str) -> Option<f32> {
+    match value {
+        Toml::Integer(n) => Some(*n.value() as f32),
+        Toml::Float(number) => {
+            // By its text: through f64 some numbers would be rounded twice.
+            let text = value.span().and_then(|span| source.get(span));
+            let read = text.and_then(|t| t.replace('_', "").parse().ok());
+            Some(read.unwrap_or(*number.value() as f32))
+        }
+        _ => None,
+    }
+}
+
 /// What a TOML value is, in words.
 pub(super) fn type_words(value: &Toml) -> &'static str {
     match value {
@@ -137,15 +151,7 @@ impl ValueReader<'_> {
     }
 
     fn number(&self, value: &Toml, range: Range) -> Result<f32, BadValue> {
-        let number = match value {
-            Toml::Integer(n) => *n.value() as f32,
-            // By its text: through f64 some numbers would be rounded twice.
-            Toml::Float(f) => match self.text(value).map(|t| t.replace('_', "").parse::<f32>()) {
-                Some(Ok(number)) => number,
-                _ => *f.value() as f32,
-            },
-            _ => return Err(self.wrong_type(value)),
-        };
+        let number = read_number(value, self.source).ok_or_else(|| self.wrong_type(value))?;
         if !number.is_finite() {
             let is_written_so = value.as_float().is_some_and(|f| !f.is_finite());
             let label = if is_written_so { "not a finite number" } else { "too large a number" };

@@ -1,6 +1,8 @@
 //! Tests of the whole of scene files.
 
 mod bad_input;
+mod dice;
+mod printing;
 mod reading;
 
 use super::{SceneFile, SceneFileError};
