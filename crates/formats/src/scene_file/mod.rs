@@ -10,6 +10,7 @@ mod pairing;
 mod print;
 mod read;
 mod section;
+mod set;
 mod syntax;
 mod text;
 mod value;
@@ -18,6 +19,7 @@ mod wording;
 mod write;
 
 pub use finding::{Finding, SceneFileError};
+pub use set::{SetError, set, split_values};
 pub use write::print_new;
 
 use crate::{FormatError, disc};

@@ -4,6 +4,7 @@ mod bad_input;
 mod dice;
 mod printing;
 mod reading;
+mod setting;
 
 use super::{SceneFile, SceneFileError};
 use std::path::Path;
