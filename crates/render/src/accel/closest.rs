@@ -4,7 +4,7 @@ use super::bvh::Node;
 use super::packet::{Packet, Visitor, traverse};
 use super::primitives::{Span, cuboid, plane, sphere, triangle};
 use super::simd::{Kernel, Simd};
-use super::stream::{HitStream, NOTHING, RayStream, Starts};
+use super::stream::{BLOCK, HitBlock, HitStream, NOTHING, RayBlock, RayStream};
 use super::{Accel, Instance, leaf};
 
 impl Accel {
@@ -12,19 +12,16 @@ impl Accel {
     ///
     /// Of surfaces at the same distance the one counts that comes first among the scene's primitives, and then among its
     /// mesh's triangles: so a hit never depends on the way through the tree or on the rays beside it.
-    pub fn closest(&self, rays: &mut RayStream, starts: &mut Starts, hits: &mut HitStream) {
-        rays.pad();
-        starts.pad(rays.t_max.len());
-        hits.reset(rays.t_max.len());
-        self.instructions.run(Closest { accel: self, rays, starts, hits });
+    pub fn closest(&self, rays: &RayStream, hits: &mut HitStream) {
+        hits.blocks.resize(rays.blocks.len(), HitBlock::EMPTY);
+        self.instructions.run(Closest { accel: self, rays: &rays.blocks, hits: &mut hits.blocks });
     }
 }
 
 struct Closest<'a> {
     accel: &'a Accel,
-    rays: &'a RayStream,
-    starts: &'a Starts,
-    hits: &'a mut HitStream,
+    rays: &'a [RayBlock],
+    hits: &'a mut [HitBlock],
 }
 
 impl Kernel for Closest<'_> {
@@ -32,16 +29,18 @@ impl Kernel for Closest<'_> {
 
     #[inline(always)]
     fn run<S: Simd>(self, s: S) {
-        for start in (0..self.rays.t_max.len()).step_by(S::LANES) {
-            let packet = Packet::load(s, self.rays, start);
-            let mut nearest = Nearest::new(s, self.rays, self.starts, start);
-            for p in &self.accel.planes {
-                let t = plane::distance(s, &packet, p);
-                nearest.offer(s, nearest.active, t, p.primitive);
+        for (rays, hits) in self.rays.iter().zip(self.hits) {
+            for start in (0..BLOCK).step_by(S::LANES) {
+                let packet = Packet::load(s, rays, start);
+                let mut nearest = Nearest::new(s, rays, start);
+                for p in &self.accel.planes {
+                    let t = plane::distance(s, &packet, p);
+                    nearest.offer(s, nearest.active, t, p.primitive);
+                }
+                let mut walk = Walk { accel: self.accel, nearest };
+                traverse(s, &self.accel.bvh.nodes, &packet, &mut walk);
+                walk.nearest.store(s, hits, start);
             }
-            let mut walk = Walk { accel: self.accel, nearest };
-            traverse(s, &self.accel.bvh.nodes, &packet, &mut walk);
-            walk.nearest.store(s, self.hits, start);
         }
     }
 }
@@ -63,7 +62,7 @@ struct Nearest<S: Simd> {
 
 impl<S: Simd> Nearest<S> {
     #[inline(always)]
-    fn new(s: S, rays: &RayStream, starts: &Starts, start: usize) -> Self {
+    fn new(s: S, rays: &RayBlock, start: usize) -> Self {
         let zero = s.splat(0.0);
         let t = s.load(&rays.t_max[start..]);
         Self {
@@ -72,9 +71,9 @@ impl<S: Simd> Nearest<S> {
             triangle: zero,
             u: zero,
             v: zero,
-            start_t: s.load(&starts.t[start..]),
-            start_primitive: s.load(&starts.primitive[start..]),
-            start_triangle: s.load(&starts.triangle[start..]),
+            start_t: s.load(&rays.start_t[start..]),
+            start_primitive: s.load(&rays.start_primitive[start..]),
+            start_triangle: s.load(&rays.start_triangle[start..]),
             active: s.lt(zero, t),
         }
     }
@@ -130,7 +129,7 @@ impl<S: Simd> Nearest<S> {
     }
 
     #[inline(always)]
-    fn store(&self, s: S, hits: &mut HitStream, start: usize) {
+    fn store(&self, s: S, hits: &mut HitBlock, start: usize) {
         s.store(self.t, &mut hits.t[start..]);
         s.store(self.primitive, &mut hits.primitive[start..]);
         s.store(self.triangle, &mut hits.triangle[start..]);

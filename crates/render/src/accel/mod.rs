@@ -6,13 +6,14 @@
 
 pub mod bvh;
 mod closest;
-mod packet;
+pub(crate) mod packet;
 pub mod primitives;
 pub mod simd;
 mod stream;
 mod transmittance;
 
-pub use stream::{Hit, HitStream, NOTHING, RayStream, Starts};
+pub use packet::Packet;
+pub use stream::{BLOCK, Column, Hit, HitStream, NOTHING, RayStream};
 
 use bvh::{Bvh, Item};
 use primitives::cuboid::Unit;
@@ -118,7 +119,7 @@ pub struct Accel {
     materials: Vec<MaterialSlots>,
     /// Each material's transparency, 0 to 1.
     transparencies: Vec<f32>,
-    instructions: Instructions,
+    pub(crate) instructions: Instructions,
 }
 
 impl Accel {

@@ -2,7 +2,7 @@
 
 use super::bvh::{Node, STACK};
 use super::simd::Simd;
-use super::stream::RayStream;
+use super::stream::{Column, RayBlock};
 use vitrine_math::Affine3A;
 
 /// Rays in lanes.
@@ -24,22 +24,22 @@ pub struct Packet<S: Simd> {
 
 impl<S: Simd> Packet<S> {
     #[inline(always)]
-    pub fn load(s: S, rays: &RayStream, start: usize) -> Self {
-        let o = std::array::from_fn(|k| s.load(&rays.origin[k][start..]));
-        let d = std::array::from_fn(|k| s.load(&rays.direction[k][start..]));
-        Self::new(s, o, d)
+    pub(super) fn load(s: S, rays: &RayBlock, start: usize) -> Self {
+        Self::new(s, load3(s, &rays.origin, start), load3(s, &rays.direction, start))
     }
 
+    /// Rays by their origins and directions.
     #[inline(always)]
-    fn new(s: S, o: [S::F; 3], d: [S::F; 3]) -> Self {
+    pub fn new(s: S, o: [S::F; 3], d: [S::F; 3]) -> Self {
         let zero = s.splat(0.0);
         let mut down = 0;
-        let inv = std::array::from_fn(|k| {
+        let mut inv = [zero; 3];
+        for k in 0..3 {
             // A component of zero would make ∞ and then NaN on the face of a box: take a tiny one in its place.
             let tiny = s.lt(s.abs(d[k]), s.splat(1e-20));
             down |= u32::from(s.bits(s.lt(d[k], zero)).count_ones() as usize * 2 > S::LANES) << k;
-            s.div(s.splat(1.0), s.select(tiny, s.splat(1e-20), d[k]))
-        });
+            inv[k] = s.div(s.splat(1.0), s.select(tiny, s.splat(1e-20), d[k]));
+        }
         let dd = dot(s, &d, &d);
         Self { o, d, inv, dd, inv_dd: s.div(s.splat(1.0), dd), down }
     }
@@ -47,20 +47,13 @@ impl<S: Simd> Packet<S> {
     /// The same rays in another space; distances keep their meaning.
     #[inline(always)]
     pub fn transformed(&self, s: S, to: &Affine3A) -> Self {
-        let o = self.turned(s, to, &self.o);
-        let d = self.turned(s, to, &self.d);
-        let moved = std::array::from_fn(|k| s.add(o[k], s.splat(to.translation[k])));
-        Self::new(s, moved, d)
-    }
-
-    #[inline(always)]
-    fn turned(&self, s: S, to: &Affine3A, v: &[S::F; 3]) -> [S::F; 3] {
-        let m = to.matrix3;
-        std::array::from_fn(|k| {
-            let x = s.mul(s.splat(m.x_axis[k]), v[0]);
-            let y = s.mul(s.splat(m.y_axis[k]), v[1]);
-            s.add(s.add(x, y), s.mul(s.splat(m.z_axis[k]), v[2]))
-        })
+        let [x, y, z] = turned(s, to, &self.o);
+        let moved = [
+            s.add(x, s.splat(to.translation.x)),
+            s.add(y, s.splat(to.translation.y)),
+            s.add(z, s.splat(to.translation.z)),
+        ];
+        Self::new(s, moved, turned(s, to, &self.d))
     }
 
     /// Which rays pass the box between `t_min` and `t_max`. Never misses for want of precision: the far side is rounded up
@@ -79,6 +72,25 @@ impl<S: Simd> Packet<S> {
     }
 }
 
+// The kernels below spell out all three components: closures over lanes would not be inlined into the functions that have
+// the instruction set switched on.
+
+#[inline(always)]
+fn turned<S: Simd>(s: S, to: &Affine3A, v: &[S::F; 3]) -> [S::F; 3] {
+    let m = to.matrix3.to_cols_array();
+    [
+        dot(s, &[s.splat(m[0]), s.splat(m[3]), s.splat(m[6])], v),
+        dot(s, &[s.splat(m[1]), s.splat(m[4]), s.splat(m[7])], v),
+        dot(s, &[s.splat(m[2]), s.splat(m[5]), s.splat(m[8])], v),
+    ]
+}
+
+/// Three components from columns.
+#[inline(always)]
+pub fn load3<S: Simd>(s: S, from: &[Column; 3], start: usize) -> [S::F; 3] {
+    [s.load(&from[0][start..]), s.load(&from[1][start..]), s.load(&from[2][start..])]
+}
+
 /// ⟨a, b⟩ in each lane.
 #[inline(always)]
 pub fn dot<S: Simd>(s: S, a: &[S::F; 3], b: &[S::F; 3]) -> S::F {
@@ -88,20 +100,29 @@ pub fn dot<S: Simd>(s: S, a: &[S::F; 3], b: &[S::F; 3]) -> S::F {
 /// a × b in each lane.
 #[inline(always)]
 pub fn cross<S: Simd>(s: S, a: &[S::F; 3], b: &[S::F; 3]) -> [S::F; 3] {
-    let part = |i: usize, j: usize| s.sub(s.mul(a[i], b[j]), s.mul(a[j], b[i]));
-    [part(1, 2), part(2, 0), part(0, 1)]
+    [
+        s.sub(s.mul(a[1], b[2]), s.mul(a[2], b[1])),
+        s.sub(s.mul(a[2], b[0]), s.mul(a[0], b[2])),
+        s.sub(s.mul(a[0], b[1]), s.mul(a[1], b[0])),
+    ]
 }
 
 /// The same vector in each lane.
 #[inline(always)]
 pub fn splat3<S: Simd>(s: S, v: [f32; 3]) -> [S::F; 3] {
-    v.map(|v| s.splat(v))
+    [s.splat(v[0]), s.splat(v[1]), s.splat(v[2])]
 }
 
 /// a − b in each lane.
 #[inline(always)]
 pub fn sub3<S: Simd>(s: S, a: &[S::F; 3], b: &[S::F; 3]) -> [S::F; 3] {
-    std::array::from_fn(|k| s.sub(a[k], b[k]))
+    [s.sub(a[0], b[0]), s.sub(a[1], b[1]), s.sub(a[2], b[2])]
+}
+
+/// a + b·t in each lane.
+#[inline(always)]
+pub fn along3<S: Simd>(s: S, a: &[S::F; 3], b: &[S::F; 3], t: S::F) -> [S::F; 3] {
+    [s.add(a[0], s.mul(b[0], t)), s.add(a[1], s.mul(b[1], t)), s.add(a[2], s.mul(b[2], t))]
 }
 
 /// What a walk through a tree does at its leaves.

@@ -8,6 +8,8 @@
 //! holds one may call them.
 #![allow(unsafe_code)]
 
+use vitrine_math::pow_unit;
+
 /// Lanes of 32-bit floats and masks over them.
 ///
 /// Comparisons with NaN are false. All functions must be inlined into one that has the instruction set switched on
@@ -58,6 +60,18 @@ pub trait Simd: Copy {
     fn select(self, mask: Self::M, yes: Self::F, no: Self::F) -> Self::F;
     /// A bit for each lane, the first lane the lowest.
     fn bits(self, mask: Self::M) -> u32;
+
+    /// `x^y` by [`pow_unit`], with its range and precision.
+    #[inline(always)]
+    fn pow_unit(self, x: Self::F, y: Self::F) -> Self::F {
+        let (mut a, mut b) = ([0.0; 16], [0.0; 16]);
+        self.store(x, &mut a);
+        self.store(y, &mut b);
+        for i in 0..Self::LANES {
+            a[i] = pow_unit(a[i], b[i]);
+        }
+        self.load(&a)
+    }
 
     /// Whether any lane says yes.
     #[inline(always)]

@@ -1,24 +1,56 @@
-//! Rays and hits by the thousand, component by component, so that a kernel loads as many as it has lanes.
+//! Rays and hits by the block, component by component, so that a kernel loads as many as it has lanes.
 
 use vitrine_math::{Ray, Vec3};
 
-/// The widest kernel's lanes: streams are padded to a multiple of it.
-pub const MAX_LANES: usize = 16;
+/// Rays in a block: the widest kernel's lanes.
+pub const BLOCK: usize = 16;
 
-/// Rays to be traced, in arrays by component.
+/// One number for each ray of a block.
+pub type Column = [f32; BLOCK];
+
+/// "No primitive." As the bits of a float it is the largest, so integers below it order as floats do.
+pub const NOTHING: u32 = 0x7f7f_ffff;
+
+/// Sixteen rays.
+#[derive(Clone, Copy, Debug)]
+#[repr(C, align(64))]
+pub(super) struct RayBlock {
+    pub origin: [Column; 3],
+    pub direction: [Column; 3],
+    /// Ends; negative for places without a ray, which hit nothing.
+    pub t_max: Column,
+    /// Where hits begin to count: after this distance, and at it after that triangle of that primitive.
+    pub start_t: Column,
+    /// The bits of an integer.
+    pub start_primitive: Column,
+    /// The bits of an integer.
+    pub start_triangle: Column,
+}
+
+impl RayBlock {
+    const EMPTY: Self = Self {
+        origin: [[0.0; BLOCK]; 3],
+        direction: [[0.0; BLOCK]; 3],
+        t_max: [-1.0; BLOCK],
+        start_t: [0.0; BLOCK],
+        start_primitive: [0.0; BLOCK],
+        start_triangle: [0.0; BLOCK],
+    };
+}
+
+/// Rays to be traced.
+///
+/// A ray starts at its origin, or after a hit: one that goes straight on through a surface is the same ray, started after
+/// that surface. Nothing is rounded then and no offset is needed, so surfaces in the same place, such as a case on its
+/// floor, are both met.
 #[derive(Debug, Default)]
 pub struct RayStream {
-    /// Origins, x, y and z.
-    pub origin: [Vec<f32>; 3],
-    /// Directions, x, y and z.
-    pub direction: [Vec<f32>; 3],
-    /// Ends; negative for padding, which hits nothing.
-    pub t_max: Vec<f32>,
+    pub(super) blocks: Vec<RayBlock>,
     len: usize,
 }
 
 impl RayStream {
-    /// How many rays there are, without padding.
+    /// How many rays there are.
     #[must_use]
     pub const fn len(&self) -> usize {
         self.len
@@ -32,114 +64,77 @@ impl RayStream {
 
     /// Takes all rays out.
     pub fn clear(&mut self) {
-        for v in self.components() {
-            v.clear();
-        }
+        self.blocks.clear();
         self.len = 0;
     }
 
-    /// Adds a ray.
+    /// Adds a ray that starts at its origin.
     #[inline(always)]
     pub fn push(&mut self, ray: &Ray) {
-        for (to, v) in self.origin.iter_mut().zip(ray.origin.to_array()) {
-            to.push(v);
+        self.push_after(ray, 0.0, NOTHING, NOTHING);
+    }
+
+    /// Adds a ray that starts after a hit of its own.
+    #[inline(always)]
+    pub fn push_on(&mut self, ray: &Ray, hit: &Hit) {
+        self.push_after(ray, hit.t, hit.primitive, hit.triangle);
+    }
+
+    #[inline(always)]
+    fn push_after(&mut self, ray: &Ray, t: f32, primitive: u32, triangle: u32) {
+        let lane = self.len % BLOCK;
+        if lane == 0 {
+            self.blocks.push(RayBlock::EMPTY);
         }
-        for (to, v) in self.direction.iter_mut().zip(ray.direction.to_array()) {
-            to.push(v);
-        }
-        self.t_max.push(ray.t_max);
         self.len += 1;
+        let Some(block) = self.blocks.last_mut() else { return };
+        for k in 0..3 {
+            block.origin[k][lane] = ray.origin[k];
+            block.direction[k][lane] = ray.direction[k];
+        }
+        block.t_max[lane] = ray.t_max;
+        block.start_t[lane] = t;
+        block.start_primitive[lane] = f32::from_bits(primitive);
+        block.start_triangle[lane] = f32::from_bits(triangle);
     }
 
     /// A ray.
+    ///
+    /// # Panics
+    /// When there is no such ray.
     #[inline(always)]
     #[must_use]
     pub fn get(&self, i: usize) -> Ray {
-        let at = |v: &[Vec<f32>; 3]| Vec3::new(v[0][i], v[1][i], v[2][i]);
-        Ray { origin: at(&self.origin), direction: at(&self.direction), t_max: self.t_max[i] }
-    }
-
-    /// Fills up to whole packets with rays that hit nothing.
-    pub(super) fn pad(&mut self) {
-        let padded = self.len.next_multiple_of(MAX_LANES);
-        for v in self.components() {
-            v.truncate(padded);
-            v.resize(padded, -1.0);
-        }
-    }
-
-    fn components(&mut self) -> impl Iterator<Item = &mut Vec<f32>> {
-        self.origin.iter_mut().chain(&mut self.direction).chain(std::iter::once(&mut self.t_max))
+        let (block, lane) = (&self.blocks[i / BLOCK], i % BLOCK);
+        let at = |v: &[Column; 3]| Vec3::new(v[0][lane], v[1][lane], v[2][lane]);
+        Ray { origin: at(&block.origin), direction: at(&block.direction), t_max: block.t_max[lane] }
     }
 }
 
-/// Where on its way each ray of a stream starts to count hits: after a distance, and at that distance after a primitive.
-///
-/// A ray that goes straight on through a surface is the same ray, started after that surface: nothing is rounded and no
-/// offset is needed, so surfaces in the same place, such as a case on its floor, are both met.
-#[derive(Debug, Default)]
-pub struct Starts {
-    pub(super) t: Vec<f32>,
+/// Sixteen hits.
+#[derive(Clone, Copy, Debug)]
+#[repr(C, align(64))]
+pub(super) struct HitBlock {
+    pub t: Column,
     /// The bits of an integer.
-    pub(super) primitive: Vec<f32>,
+    pub primitive: Column,
     /// The bits of an integer.
-    pub(super) triangle: Vec<f32>,
+    pub triangle: Column,
+    pub u: Column,
+    pub v: Column,
 }
 
-impl Starts {
-    /// Takes all out.
-    pub fn clear(&mut self) {
-        for v in self.components() {
-            v.clear();
-        }
-    }
-
-    /// The next ray starts at its origin.
-    #[inline(always)]
-    pub fn push_origin(&mut self) {
-        self.push_after(0.0, NOTHING, NOTHING);
-    }
-
-    /// The next ray starts after that hit.
-    #[inline(always)]
-    pub fn push_hit(&mut self, hit: &Hit) {
-        self.push_after(hit.t, hit.primitive, hit.triangle);
-    }
-
-    #[inline(always)]
-    fn push_after(&mut self, t: f32, primitive: u32, triangle: u32) {
-        self.t.push(t);
-        self.primitive.push(f32::from_bits(primitive));
-        self.triangle.push(f32::from_bits(triangle));
-    }
-
-    pub(super) fn pad(&mut self, padded: usize) {
-        for v in self.components() {
-            v.resize(padded, 0.0);
-        }
-    }
-
-    fn components(&mut self) -> [&mut Vec<f32>; 3] {
-        [&mut self.t, &mut self.primitive, &mut self.triangle]
-    }
+impl HitBlock {
+    pub const EMPTY: Self = {
+        let zero = [0.0; BLOCK];
+        Self { t: zero, primitive: zero, triangle: zero, u: zero, v: zero }
+    };
 }
 
-/// "No primitive."
-pub const NOTHING: u32 = 0x7f7f_ffff;
-
-/// The nearest hits of a stream of rays, in arrays by component.
+/// The nearest hits of a stream of rays.
 #[derive(Debug, Default)]
 pub struct HitStream {
-    /// Distances in lengths of the direction; the ray's end where nothing is hit.
-    pub t: Vec<f32>,
-    /// Which primitive of the scene, or [`NOTHING`]. The bits of an integer.
-    pub(super) primitive: Vec<f32>,
-    /// Which triangle of a mesh; 0 for other primitives. The bits of an integer.
-    pub(super) triangle: Vec<f32>,
-    /// Barycentric coordinates of the second corner of a triangle.
-    pub u: Vec<f32>,
-    /// Barycentric coordinates of the third corner of a triangle.
-    pub v: Vec<f32>,
+    pub(super) blocks: Vec<HitBlock>,
 }
 
 /// One hit.
@@ -151,28 +146,25 @@ pub struct Hit {
     pub primitive: u32,
     /// The index of a mesh's triangle; 0 for other primitives.
     pub triangle: u32,
-    /// Barycentric coordinates of a triangle's second and third corner.
+    /// Barycentric coordinates of a triangle's second and third corner; 0 for other forms.
     pub uv: [f32; 2],
 }
 
 impl HitStream {
-    pub(super) fn reset(&mut self, padded: usize) {
-        for v in [&mut self.t, &mut self.primitive, &mut self.triangle, &mut self.u, &mut self.v] {
-            v.clear();
-            v.resize(padded, 0.0);
-        }
-    }
-
     /// The hit of a ray, or None when it hits nothing.
+    ///
+    /// # Panics
+    /// When there is no such ray.
     #[inline(always)]
     #[must_use]
     pub fn get(&self, i: usize) -> Option<Hit> {
-        let primitive = self.primitive[i].to_bits();
+        let (block, lane) = (&self.blocks[i / BLOCK], i % BLOCK);
+        let primitive = block.primitive[lane].to_bits();
         (primitive != NOTHING).then(|| Hit {
-            t: self.t[i],
+            t: block.t[lane],
             primitive,
-            triangle: self.triangle[i].to_bits(),
-            uv: [self.u[i], self.v[i]],
+            triangle: block.triangle[lane].to_bits(),
+            uv: [block.u[lane], block.v[lane]],
         })
     }
 }

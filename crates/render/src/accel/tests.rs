@@ -94,12 +94,6 @@ fn rays(seed: u32, count: usize) -> RayStream {
     rays
 }
 
-fn fresh(rays: &RayStream) -> Starts {
-    let mut starts = Starts::default();
-    (0..rays.len()).for_each(|_| starts.push_origin());
-    starts
-}
-
 /// The same scene with one leaf for each primitive and no box that culls: every ray is tested against everything.
 fn without_tree(mut accel: Accel) -> Accel {
     let everywhere = Bounds3 { min: Vec3::splat(-1e6), max: Vec3::splat(1e6) };
@@ -120,25 +114,29 @@ fn open(nodes: &mut [Node], bounds: &Bounds3) {
     }
 }
 
-fn closest(accel: &Accel, rays: &mut RayStream, starts: &mut Starts) -> Vec<Option<Hit>> {
+fn closest(accel: &Accel, rays: &RayStream) -> Vec<Option<Hit>> {
     let mut hits = HitStream::default();
-    accel.closest(rays, starts, &mut hits);
+    accel.closest(rays, &mut hits);
     (0..rays.len()).map(|i| hits.get(i)).collect()
+}
+
+fn transmittance(accel: &Accel, rays: &RayStream) -> Vec<f32> {
+    let mut passes = Vec::new();
+    accel.transmittance(rays, &mut passes);
+    passes.truncate(rays.len());
+    passes
 }
 
 #[test]
 fn the_tree_changes_no_hit_and_no_shadow() {
     for seed in 0..6 {
         let (tree, all) = (scene(seed), without_tree(scene(seed)));
-        let mut rays = rays(seed, 3000);
-        let mut starts = fresh(&rays);
-        let hits = closest(&tree, &mut rays, &mut starts);
-        assert_eq!(hits, closest(&all, &mut rays, &mut starts));
+        let rays = rays(seed, 3000);
+        let hits = closest(&tree, &rays);
+        assert_eq!(hits, closest(&all, &rays));
         assert!(hits.iter().flatten().count() > 1000, "the test must test something");
-        let (mut a, mut b) = (Vec::new(), Vec::new());
-        tree.transmittance(&mut rays, &mut a);
-        all.transmittance(&mut rays, &mut b);
-        assert_eq!(a, b);
+        let a = transmittance(&tree, &rays);
+        assert_eq!(a, transmittance(&all, &rays));
         assert!(a.iter().any(|t| *t > 0.0 && *t < 1.0) && a.contains(&0.0) && a.contains(&1.0));
     }
 }
@@ -149,12 +147,8 @@ fn every_instruction_set_gives_the_same_bits() {
         let mut results = Vec::new();
         for set in Instructions::available() {
             let accel = scene(seed).with_instructions(set);
-            let mut rays = rays(seed, 2000);
-            let mut starts = fresh(&rays);
-            let hits = closest(&accel, &mut rays, &mut starts);
-            let mut passes = Vec::new();
-            accel.transmittance(&mut rays, &mut passes);
-            results.push((hits, passes));
+            let rays = rays(seed, 2000);
+            results.push((closest(&accel, &rays), transmittance(&accel, &rays)));
         }
         assert!(results.iter().all(|r| *r == results[0]));
     }
@@ -164,15 +158,12 @@ fn every_instruction_set_gives_the_same_bits() {
 #[test]
 fn going_on_after_each_hit_meets_what_the_shadow_ray_crosses() {
     let accel = scene(3);
-    let mut rays = rays(5, 500);
-    let mut passes = Vec::new();
-    accel.transmittance(&mut rays, &mut passes);
-    for (i, passes) in passes.iter().take(rays.len()).enumerate() {
+    let rays = rays(5, 500);
+    for (i, passes) in transmittance(&accel, &rays).iter().enumerate() {
         let mut one = RayStream::default();
         one.push(&rays.get(i));
-        let mut starts = fresh(&one);
         let mut product = 1.0;
-        while let Some(hit) = closest(&accel, &mut one, &mut starts)[0] {
+        while let Some(hit) = closest(&accel, &one)[0] {
             let slot = accel
                 .instances
                 .iter()
@@ -182,8 +173,8 @@ fn going_on_after_each_hit_meets_what_the_shadow_ray_crosses() {
             if product == 0.0 {
                 break;
             }
-            starts.clear();
-            starts.push_hit(&hit);
+            one.clear();
+            one.push_on(&rays.get(i), &hit);
         }
         assert_eq!(product, *passes, "ray {i}");
     }
@@ -198,15 +189,15 @@ fn surfaces_in_one_place_are_both_met_in_order() {
     }
     let accel = Accel::new(p, vec![0.5]);
     let mut rays = RayStream::default();
-    rays.push(&Ray::new(Vec3::Y, Vec3::new(0.3, -1.0, 0.2)));
-    let mut starts = fresh(&rays);
+    let ray = Ray::new(Vec3::Y, Vec3::new(0.3, -1.0, 0.2));
+    rays.push(&ray);
     for primitive in 0..2 {
-        let hit = closest(&accel, &mut rays, &mut starts)[0].unwrap();
+        let hit = closest(&accel, &rays)[0].unwrap();
         assert_eq!(hit.primitive, primitive);
-        starts.clear();
-        starts.push_hit(&hit);
+        rays.clear();
+        rays.push_on(&ray, &hit);
     }
-    assert_eq!(closest(&accel, &mut rays, &mut starts), [None]);
+    assert_eq!(closest(&accel, &rays), [None]);
 }
 
 /// A ball hit from outside, inside, and missed: against the closed form in double precision.
@@ -224,8 +215,7 @@ fn c1_sphere_distances_are_exact_at_any_scale() {
             rays.push(&Ray::new(Vec3::new(offset, 0.0, 0.0), Vec3::NEG_Z));
             rays.push(&Ray::new(Vec3::new(offset, 0.0, -distance), Vec3::NEG_Z));
             rays.push(&Ray::new(Vec3::new(radius * 1.01, 0.0, 0.0), Vec3::NEG_Z));
-            let mut starts = fresh(&rays);
-            let hits = closest(&accel, &mut rays, &mut starts);
+            let hits = closest(&accel, &rays);
             let depth = (f64::from(radius).powi(2) - f64::from(offset).powi(2)).sqrt();
             let near = |hit: Option<Hit>, truth: f64| {
                 let t = f64::from(hit.expect("a hit").t);
@@ -243,6 +233,5 @@ fn a_ray_that_ends_before_it_begins_finds_nothing() {
     let accel = scene(1);
     let mut rays = RayStream::default();
     rays.push(&Ray { origin: Vec3::ZERO, direction: Vec3::X, t_max: -1.0 });
-    let mut starts = fresh(&rays);
-    assert_eq!(closest(&accel, &mut rays, &mut starts), [None]);
+    assert_eq!(closest(&accel, &rays), [None]);
 }

@@ -4,23 +4,35 @@ use super::bvh::Node;
 use super::packet::{Packet, Visitor, traverse};
 use super::primitives::{Span, cuboid, plane, sphere, triangle};
 use super::simd::{Kernel, Simd};
-use super::stream::RayStream;
+use super::stream::{BLOCK, RayBlock, RayStream};
 use super::{Accel, Instance, leaf};
 
 impl Accel {
     /// The product of the transparencies of all surfaces that each ray crosses at `0 < t < t_max`; 0 as soon as one is
-    /// opaque, 1 when there is none. Rays go straight on.
-    pub fn transmittance(&self, rays: &mut RayStream, passes: &mut Vec<f32>) {
-        rays.pad();
+    /// opaque, 1 when there is none. Rays go straight on. One number a ray; places beyond the last ray mean nothing.
+    pub fn transmittance(&self, rays: &RayStream, passes: &mut Vec<f32>) {
         passes.clear();
-        passes.resize(rays.t_max.len(), 0.0);
-        self.instructions.run(Transmittance { accel: self, rays, passes });
+        passes.resize(rays.blocks.len() * BLOCK, 0.0);
+        self.instructions.run(Transmittance { accel: self, rays: &rays.blocks, passes });
+    }
+
+    /// The same for a packet, inside a kernel. Lanes with `t_max ≤ 0` shoot no ray; their result means nothing.
+    #[inline(always)]
+    pub fn packet_transmittance<S: Simd>(&self, s: S, packet: &Packet<S>, t_max: S::F) -> S::F {
+        let mut light = Light { passes: s.splat(1.0), t_max, alive: s.lt(s.splat(0.0), t_max) };
+        for p in &self.planes {
+            let t = plane::distance(s, packet, p);
+            light.cross(s, light.alive, t, self.transparency(p.primitive, 0));
+        }
+        let mut walk = Walk { accel: self, light };
+        traverse(s, &self.bvh.nodes, packet, &mut walk);
+        walk.light.passes
     }
 }
 
 struct Transmittance<'a> {
     accel: &'a Accel,
-    rays: &'a RayStream,
+    rays: &'a [RayBlock],
     passes: &'a mut [f32],
 }
 
@@ -29,18 +41,12 @@ impl Kernel for Transmittance<'_> {
 
     #[inline(always)]
     fn run<S: Simd>(self, s: S) {
-        for start in (0..self.rays.t_max.len()).step_by(S::LANES) {
-            let packet = Packet::load(s, self.rays, start);
-            let t_max = s.load(&self.rays.t_max[start..]);
-            let alive = s.lt(s.splat(0.0), t_max);
-            let mut light = Light { passes: s.splat(1.0), t_max, alive };
-            for p in &self.accel.planes {
-                let t = plane::distance(s, &packet, p);
-                light.cross(s, light.alive, t, self.accel.transparency(p.primitive, 0));
+        for (rays, passes) in self.rays.iter().zip(self.passes.chunks_exact_mut(BLOCK)) {
+            for start in (0..BLOCK).step_by(S::LANES) {
+                let packet = Packet::load(s, rays, start);
+                let t_max = s.load(&rays.t_max[start..]);
+                s.store(self.accel.packet_transmittance(s, &packet, t_max), &mut passes[start..]);
             }
-            let mut walk = Walk { accel: self.accel, light };
-            traverse(s, &self.accel.bvh.nodes, &packet, &mut walk);
-            s.store(walk.light.passes, &mut self.passes[start..]);
         }
     }
 }

@@ -9,8 +9,8 @@
 //! its pixel, and what they meet gives the next wave. So rays go in packets, and nothing depends on threads.
 
 use super::TileTask;
-use super::light::{LightQueue, Lit};
-use crate::accel::{Hit, HitStream, RayStream, Starts};
+use super::light::{LightQueue, Lit, Shadows};
+use crate::accel::{Hit, HitStream, RayStream};
 use crate::compile::{CompiledMaterial, CompiledScene};
 use crate::samplers::in_pixel;
 use crate::surface::SurfaceInteraction;
@@ -49,29 +49,25 @@ struct Errand {
 #[derive(Debug, Default)]
 struct Wave {
     rays: RayStream,
-    starts: Starts,
     errands: Vec<Errand>,
 }
 
 impl Wave {
     fn clear(&mut self) {
         self.rays.clear();
-        self.starts.clear();
         self.errands.clear();
     }
 
     #[inline(always)]
     fn push(&mut self, ray: &Ray, errand: Errand) {
         self.rays.push(ray);
-        self.starts.push_origin();
         self.errands.push(errand);
     }
 
     /// The ray goes straight on after a hit.
     #[inline(always)]
     fn push_on(&mut self, ray: &Ray, hit: &Hit, errand: Errand) {
-        self.rays.push(ray);
-        self.starts.push_hit(hit);
+        self.rays.push_on(ray, hit);
         self.errands.push(errand);
     }
 }
@@ -139,7 +135,7 @@ impl Waves {
     fn trace(&mut self, task: &TileTask, sample: u32, reach: Reach) {
         let scene = task.scene;
         self.rays += self.now.rays.len() as u64;
-        scene.accel.closest(&mut self.now.rays, &mut self.now.starts, &mut self.hits);
+        scene.accel.closest(&self.now.rays, &mut self.hits);
         self.lights.clear();
         for i in 0..self.now.errands.len() {
             let errand = self.now.errands[i];
@@ -156,10 +152,11 @@ impl Waves {
                 Reach::Recursive => self.spread(&view, errand),
             }
         }
-        self.rays += match reach {
-            Reach::CameraOnly => self.lights.shade_unshadowed(scene, &mut self.sums),
-            Reach::Recursive => self.lights.shade(task, sample, &mut self.sums),
+        let shadows = match reach {
+            Reach::CameraOnly => Shadows::None,
+            Reach::Recursive => Shadows::Cast,
         };
+        self.rays += self.lights.shade(task, sample, shadows, &mut self.sums);
     }
 
     /// The light of a surface itself, with that weight in its pixel.
@@ -168,7 +165,7 @@ impl Waves {
         let phong = view.phong();
         self.sums[pixel as usize] += phong.color * view.scene.ambient * weight;
         let &SurfaceInteraction { p, n, ns, wo, .. } = view.surface;
-        self.lights.push(Lit { p, n, ns, wo, phong, pixel, weight });
+        self.lights.push(&Lit { p, n, ns, wo, phong, pixel, weight });
     }
 
     /// Shares a ray's weight among the surface's own light, its mirror image and what is behind.

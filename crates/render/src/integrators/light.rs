@@ -1,11 +1,16 @@
 //! The light of lamps on the surfaces of a wave, with shadows: hard ones by one ray, soft ones by rays to points of the lamp.
+//!
+//! Surfaces wait in blocks, a surface a lane. Their lighting, their shadow rays and the sums are worked out in lanes in one
+//! go, so that no shadow ray is ever stored.
 
 use super::TileTask;
-use crate::accel::RayStream;
-use crate::compile::{CompiledLight, CompiledScene};
-use crate::samplers::SquareSampler;
-use vitrine_math::{Ray, Rgb, Vec3, offset_origin, warp};
-use vitrine_optics::{PhongSurface, phong_light};
+use super::soft::SoftLight;
+use crate::accel::packet::{along3, dot, load3, splat3, sub3};
+use crate::accel::simd::{Kernel, Simd};
+use crate::accel::{Accel, BLOCK, Column, Packet};
+use crate::compile::CompiledLight;
+use vitrine_math::{Rgb, Vec3, offset_origin};
+use vitrine_optics::PhongSurface;
 use vitrine_scene::lights::Emission;
 
 /// A point of a surface that waits for light.
@@ -27,177 +32,314 @@ pub struct Lit {
     pub weight: f32,
 }
 
-/// Points of a lamp that are tried for one surface before its quality is looked at: a full packet, and a whole stratification.
-const ROUND: u32 = 16;
-
-/// The surfaces of a wave and the shadow rays for them.
-#[derive(Debug, Default)]
-pub struct LightQueue {
-    lit: Vec<Lit>,
-    shadows: RayStream,
-    /// What each shadow ray brings if nothing is in its way, and to which pixel or surface.
-    brings: Vec<(u32, Rgb)>,
-    passes: Vec<f32>,
-    soft: Vec<Soft>,
+/// Sixteen surfaces.
+#[derive(Clone, Copy, Debug)]
+#[repr(C, align(64))]
+pub struct LitBlock {
+    /// Where shadow rays start.
+    pub origin: [Column; 3],
+    pub n: [Column; 3],
+    pub ns: [Column; 3],
+    pub wo: [Column; 3],
+    pub color: [Column; 3],
+    /// k_d and k_s, each times the weight in the pixel.
+    pub diffuse: Column,
+    pub specular: Column,
+    pub shininess: Column,
+    /// The light so far: what is scattered, times the colour, and highlights.
+    pub sum: [Column; 3],
+    pub pixel: [u32; BLOCK],
+    /// How many surfaces there are; the other places hold dark ones.
+    pub len: usize,
 }
 
-/// A surface in the light of a lamp with size, while points are tried.
-#[derive(Clone, Copy, Debug)]
-struct Soft {
-    lit: u32,
-    sum: Rgb,
-    /// Σ and Σ² of how much light passes, to tell the quality.
-    passes: f32,
-    passes2: f32,
+impl LitBlock {
+    const EMPTY: Self = {
+        let zero = [0.0; BLOCK];
+        let zero3 = [zero; 3];
+        Self {
+            origin: zero3,
+            n: zero3,
+            ns: zero3,
+            wo: zero3,
+            color: zero3,
+            diffuse: zero,
+            specular: zero,
+            shininess: [1.0; BLOCK],
+            sum: zero3,
+            pixel: [0; BLOCK],
+            len: 0,
+        }
+    };
+}
+
+/// The surfaces of a wave.
+#[derive(Debug, Default)]
+pub struct LightQueue {
+    blocks: Vec<LitBlock>,
 }
 
 impl LightQueue {
     pub fn clear(&mut self) {
-        self.lit.clear();
+        self.blocks.clear();
     }
 
     #[inline(always)]
-    pub fn push(&mut self, lit: Lit) {
-        self.lit.push(lit);
-    }
-
-    /// Adds the light of every lamp to the pixels, without shadows. Shoots no ray.
-    pub fn shade_unshadowed(&mut self, scene: &CompiledScene, sums: &mut [Rgb]) -> u64 {
-        for light in &scene.lights {
-            for lit in &self.lit {
-                let (wi, _) = towards(&light.emission, lit.p);
-                sums[lit.pixel as usize] += light.on(lit, wi);
-            }
+    pub fn push(&mut self, lit: &Lit) {
+        if self.blocks.last().is_none_or(|b| b.len == BLOCK) {
+            self.blocks.push(LitBlock::EMPTY);
         }
-        0
+        let Some(block) = self.blocks.last_mut() else { return };
+        let lane = block.len % BLOCK;
+        block.len += 1;
+        let origin = offset_origin(lit.p, lit.n);
+        let color = lit.phong.color.to_array();
+        for k in 0..3 {
+            block.origin[k][lane] = origin[k];
+            block.n[k][lane] = lit.n[k];
+            block.ns[k][lane] = lit.ns[k];
+            block.wo[k][lane] = lit.wo[k];
+            block.color[k][lane] = color[k];
+        }
+        block.diffuse[lane] = lit.phong.diffuse * lit.weight;
+        block.specular[lane] = lit.phong.specular * lit.weight;
+        block.shininess[lane] = lit.phong.shininess;
+        block.pixel[lane] = lit.pixel;
     }
 
-    /// Adds the light of every lamp to the pixels, as far as it passes; gives the number of shadow rays.
-    pub fn shade(&mut self, task: &TileTask, sample: u32, sums: &mut [Rgb]) -> u64 {
+    /// Adds the light of every lamp to the pixels; gives the number of shadow rays.
+    pub fn shade(&mut self, task: &TileTask, sample: u32, shadows: Shadows, sums: &mut [Rgb]) -> u64 {
         let mut rays = 0;
+        let accel = &task.scene.accel;
         for (index, light) in task.scene.lights.iter().enumerate() {
-            rays += match light.emission {
-                Emission::Disc { .. } => self.shade_soft(task, sample, index as u32, sums),
-                _ => self.shade_hard(task.scene, light, sums),
+            let blocks = &mut self.blocks;
+            rays += match (light.emission, shadows) {
+                (Emission::Disc { position, radius }, Shadows::Cast) => {
+                    let disc = (position, radius);
+                    let light = light.radiance;
+                    accel.instructions.run(SoftLight {
+                        task,
+                        sample,
+                        index: index as u32,
+                        light,
+                        disc,
+                        blocks,
+                    })
+                }
+                _ => accel.instructions.run(HardLight { accel, light, shadows, blocks }),
             };
         }
-        rays
-    }
-
-    fn shade_hard(&mut self, scene: &CompiledScene, light: &CompiledLight, sums: &mut [Rgb]) -> u64 {
-        self.shadows.clear();
-        self.brings.clear();
-        for lit in &self.lit {
-            // A lamp behind the form is hidden by the form itself.
-            let origin = offset_origin(lit.p, lit.n);
-            let (wi, distance) = towards(&light.emission, origin);
-            if wi.dot(lit.n) <= 0.0 {
-                continue;
+        for block in &self.blocks {
+            for lane in 0..block.len {
+                let [r, g, b] = [0, 1, 2].map(|k| block.sum[k][lane]);
+                sums[block.pixel[lane] as usize] += Rgb::new(r, g, b);
             }
-            let brings = light.on(lit, wi);
-            if brings != Rgb::BLACK {
-                self.shadows.push(&Ray { origin, direction: wi, t_max: distance });
-                self.brings.push((lit.pixel, brings));
-            }
-        }
-        scene.accel.transmittance(&mut self.shadows, &mut self.passes);
-        for ((pixel, brings), passes) in self.brings.iter().zip(&self.passes) {
-            sums[*pixel as usize] += *brings * *passes;
-        }
-        self.brings.len() as u64
-    }
-
-    /// Tries points of a disc, a round at a time, until each surface's standard error is small enough or all points are used.
-    fn shade_soft(&mut self, task: &TileTask, sample: u32, index: u32, sums: &mut [Rgb]) -> u64 {
-        let points = task.settings.shadow_points;
-        let start = |lit| Soft { lit, sum: Rgb::BLACK, passes: 0.0, passes2: 0.0 };
-        self.soft.clear();
-        self.soft.extend((0..self.lit.len() as u32).map(start));
-        let (mut rays, mut tried) = (0, 0);
-        while tried < points && !self.soft.is_empty() {
-            let round = tried..(tried + ROUND).min(points);
-            rays += self.try_points(task, sample, index, round.clone());
-            tried = round.end;
-            let (lit, allowed) = (&self.lit, task.settings.shadow_error);
-            self.soft.retain(|soft| {
-                let is_done = tried >= points || soft.standard_error(tried) <= allowed;
-                if is_done {
-                    let pixel = lit[soft.lit as usize].pixel;
-                    sums[pixel as usize] += soft.sum / tried as f32;
-                }
-                !is_done
-            });
         }
         rays
     }
-
-    /// One round of points for every surface that is not done.
-    fn try_points(&mut self, task: &TileTask, sample: u32, index: u32, round: std::ops::Range<u32>) -> u64 {
-        let light = &task.scene.lights[index as usize];
-        let Emission::Disc { position, radius } = light.emission else { return 0 };
-        self.shadows.clear();
-        self.brings.clear();
-        for (place, soft) in self.soft.iter().enumerate() {
-            let lit = &self.lit[soft.lit as usize];
-            let origin = offset_origin(lit.p, lit.n);
-            let tile = task.tile;
-            let (x, y) = (tile.x + lit.pixel % tile.width, tile.y + lit.pixel / tile.width);
-            let sampler = SquareSampler::new(y * task.settings.size[0] + x, index, task.settings.seed);
-            for point in round.clone() {
-                let u = sampler.point(sample.wrapping_mul(task.settings.shadow_points).wrapping_add(point));
-                let on_disc = warp::concentric_disk(u) * radius;
-                let (wi, distance) = along(position + Vec3::new(on_disc.x, 0.0, on_disc.y) - origin);
-                let brings = if wi.dot(lit.n) > 0.0 { light.on(lit, wi) } else { Rgb::BLACK };
-                if brings != Rgb::BLACK {
-                    self.shadows.push(&Ray { origin, direction: wi, t_max: distance });
-                    self.brings.push((place as u32, brings));
-                }
-            }
-        }
-        task.scene.accel.transmittance(&mut self.shadows, &mut self.passes);
-        for ((place, brings), passes) in self.brings.iter().zip(&self.passes) {
-            let soft = &mut self.soft[*place as usize];
-            soft.sum += *brings * *passes;
-            soft.passes += passes;
-            soft.passes2 += passes * passes;
-        }
-        self.brings.len() as u64
-    }
 }
 
-impl Soft {
-    /// The standard error of the share of light that passes, after n points. Two points more are counted, one that passes
-    /// and one that does not, so that a few equal points do not pass for certainty (Laplace's rule of succession).
-    fn standard_error(&self, n: u32) -> f32 {
-        let m = n as f32 + 2.0;
-        let mean = (self.passes + 1.0) / m;
-        let variance = ((self.passes2 + 1.0) / m - mean * mean).max(0.0);
-        (variance / n as f32).sqrt()
-    }
+/// Whether things stand in the light of others.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shadows {
+    /// They do.
+    Cast,
+    /// They do not (ray casting).
+    None,
 }
 
-impl CompiledLight {
-    /// The light that a lamp in direction `wi` brings to a surface's pixel if nothing is in its way.
+/// A lamp without size, or one taken for its middle where shadows do not count.
+struct HardLight<'a> {
+    accel: &'a Accel,
+    light: &'a CompiledLight,
+    shadows: Shadows,
+    blocks: &'a mut [LitBlock],
+}
+
+impl Kernel for HardLight<'_> {
+    type Output = u64;
+
     #[inline(always)]
-    fn on(&self, lit: &Lit, wi: Vec3) -> Rgb {
-        let (scattered, highlight) = phong_light(&lit.phong, lit.ns, wi, lit.wo);
-        (lit.phong.color * scattered + Rgb::splat(highlight)) * self.radiance * lit.weight
+    fn run<S: Simd>(self, s: S) -> u64 {
+        let mut rays = 0;
+        for block in self.blocks {
+            for start in (0..BLOCK).step_by(S::LANES) {
+                let surface = SurfaceLanes::load(s, block, start);
+                let (wi, distance) = match self.light.emission {
+                    Emission::Direction { travels } => (splat3(s, (-travels).into()), s.splat(f32::INFINITY)),
+                    Emission::Point { position } | Emission::Disc { position, .. } => {
+                        towards(s, &sub3(s, &splat3(s, position.into()), &surface.origin))
+                    }
+                    // Light from everywhere has no direction; `compile` keeps it apart.
+                    Emission::Everywhere => return rays,
+                };
+                let (seen, scattered, highlight) = surface.phong(s, &wi);
+                if !s.any(seen) {
+                    continue;
+                }
+                let passes = match self.shadows {
+                    Shadows::None => s.splat(1.0),
+                    Shadows::Cast => {
+                        rays += u64::from(s.bits(seen).count_ones());
+                        let t_max = s.select(seen, distance, s.splat(-1.0));
+                        let packet = Packet::new(s, surface.origin, wi);
+                        self.accel.packet_transmittance(s, &packet, t_max)
+                    }
+                };
+                let dark = s.splat(0.0);
+                let scattered = s.select(seen, s.mul(scattered, passes), dark);
+                let highlight = s.select(seen, s.mul(highlight, passes), dark);
+                add_light(s, block, start, [scattered, highlight], self.light.radiance);
+            }
+        }
+        rays
     }
 }
 
-/// The unit direction from a point to a lamp's middle, and how far it is.
-#[inline(always)]
-fn towards(emission: &Emission, from: Vec3) -> (Vec3, f32) {
-    match emission {
-        Emission::Point { position } | Emission::Disc { position, .. } => along(*position - from),
-        Emission::Direction { travels } => (-*travels, f32::INFINITY),
-        // Light from everywhere has no direction; it never comes here (see `compile`).
-        Emission::Everywhere => (Vec3::ZERO, 0.0),
+/// Surfaces in lanes.
+#[derive(Clone, Copy)]
+pub struct SurfaceLanes<S: Simd> {
+    pub origin: [S::F; 3],
+    pub n: [S::F; 3],
+    pub ns: [S::F; 3],
+    pub wo: [S::F; 3],
+    pub diffuse: S::F,
+    pub specular: S::F,
+    pub shininess: S::F,
+}
+
+impl<S: Simd> SurfaceLanes<S> {
+    #[inline(always)]
+    fn load(s: S, block: &LitBlock, start: usize) -> Self {
+        Self {
+            origin: load3(s, &block.origin, start),
+            n: load3(s, &block.n, start),
+            ns: load3(s, &block.ns, start),
+            wo: load3(s, &block.wo, start),
+            diffuse: s.load(&block.diffuse[start..]),
+            specular: s.load(&block.specular[start..]),
+            shininess: s.load(&block.shininess[start..]),
+        }
+    }
+
+    /// One surface in all lanes.
+    #[inline(always)]
+    pub fn splat(s: S, block: &LitBlock, lane: usize) -> Self {
+        let at = |v: &[Column; 3]| [v[0][lane], v[1][lane], v[2][lane]];
+        Self {
+            origin: splat3(s, at(&block.origin)),
+            n: splat3(s, at(&block.n)),
+            ns: splat3(s, at(&block.ns)),
+            wo: splat3(s, at(&block.wo)),
+            diffuse: s.splat(block.diffuse[lane]),
+            specular: s.splat(block.specular[lane]),
+            shininess: s.splat(block.shininess[lane]),
+        }
+    }
+
+    /// [`vitrine_optics::phong_light`] in lanes: where anything is lit at all, what is scattered, the highlight.
+    #[inline(always)]
+    pub fn phong(&self, s: S, wi: &[S::F; 3]) -> (S::M, S::F, S::F) {
+        let zero = s.splat(0.0);
+        let cos_l = dot(s, &self.ns, wi);
+        // A lamp behind the form is hidden by the form itself, whatever the normal for shading says.
+        let front = s.and(s.lt(zero, cos_l), s.lt(zero, dot(s, &self.n, wi)));
+        let scattered = s.mul(self.diffuse, cos_l);
+        // ⟨R, V⟩ = 2⟨N, L⟩⟨N, V⟩ − ⟨L, V⟩
+        let double = s.mul(s.add(cos_l, cos_l), dot(s, &self.ns, &self.wo));
+        let cos_r = s.min(s.sub(double, dot(s, wi, &self.wo)), s.splat(1.0));
+        let shiny = s.and(front, s.and(s.lt(zero, cos_r), s.lt(zero, self.specular)));
+        let highlight = if s.any(shiny) {
+            s.select(shiny, s.mul(self.specular, s.pow_unit(cos_r, self.shininess)), zero)
+        } else {
+            zero
+        };
+        let lit = s.or(s.lt(zero, scattered), s.lt(zero, highlight));
+        (s.and(front, lit), scattered, highlight)
     }
 }
 
+/// The unit directions and the distances of offsets.
 #[inline(always)]
-fn along(offset: Vec3) -> (Vec3, f32) {
-    let distance = offset.length();
-    (offset / distance, distance)
+pub fn towards<S: Simd>(s: S, offset: &[S::F; 3]) -> ([S::F; 3], S::F) {
+    let distance = s.sqrt(dot(s, offset, offset));
+    let zero = s.splat(0.0);
+    (along3(s, &[zero; 3], offset, s.div(s.splat(1.0), distance)), distance)
+}
+
+/// Adds light to surfaces: what is scattered takes their colour, highlights do not.
+#[inline(always)]
+fn add_light<S: Simd>(
+    s: S,
+    block: &mut LitBlock,
+    start: usize,
+    [scattered, highlight]: [S::F; 2],
+    radiance: Rgb,
+) {
+    for (k, radiance) in radiance.to_array().into_iter().enumerate() {
+        let seen = s.add(s.mul(s.load(&block.color[k][start..]), scattered), highlight);
+        let sum = s.add(s.load(&block.sum[k][start..]), s.mul(seen, s.splat(radiance)));
+        s.store(sum, &mut block.sum[k][start..]);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::accel::simd::Instructions;
+    use vitrine_math::hash;
+    use vitrine_optics::phong_light;
+
+    struct Phong<'a>(&'a LitBlock, Vec3);
+
+    impl Kernel for Phong<'_> {
+        type Output = (Column, Column);
+
+        #[inline(always)]
+        fn run<S: Simd>(self, s: S) -> (Column, Column) {
+            let (mut scattered, mut highlight) = ([0.0; BLOCK], [0.0; BLOCK]);
+            for start in (0..BLOCK).step_by(S::LANES) {
+                let wi = splat3(s, self.1.into());
+                let (seen, d, h) = SurfaceLanes::load(s, self.0, start).phong(s, &wi);
+                s.store(s.select(seen, d, s.splat(0.0)), &mut scattered[start..]);
+                s.store(s.select(seen, h, s.splat(0.0)), &mut highlight[start..]);
+            }
+            (scattered, highlight)
+        }
+    }
+
+    /// C9: the lanes compute what `optics::phong_light`, the formula itself, says.
+    #[test]
+    fn c9_lanes_agree_with_the_formula() {
+        let number = |i: u32| 2.0 * hash::unit(hash::mix(i)) - 1.0;
+        let vector = |i: u32| Vec3::new(number(3 * i), number(3 * i + 1), number(3 * i + 2)).normalize();
+        for round in 0..50 {
+            let mut queue = LightQueue::default();
+            let lit: Vec<Lit> = (0..16)
+                .map(|i| {
+                    let i = round * 100 + i;
+                    let n = vector(2 * i);
+                    let phong = PhongSurface {
+                        color: Rgb::WHITE,
+                        diffuse: number(i).abs(),
+                        specular: if i % 3 == 0 { 0.0 } else { number(i + 7).abs() },
+                        shininess: 1.0 + 50.0 * number(i + 9).abs(),
+                    };
+                    let wo = vector(2 * i + 1);
+                    let wo = if wo.dot(n) < 0.0 { -wo } else { wo };
+                    Lit { p: Vec3::ZERO, n, ns: n, wo, phong, pixel: 0, weight: 1.0 }
+                })
+                .collect();
+            lit.iter().for_each(|l| queue.push(l));
+            let wi = vector(77_777 + round);
+            for set in Instructions::available() {
+                let (scattered, highlight) = set.run(Phong(&queue.blocks[0], wi));
+                for (i, l) in lit.iter().enumerate() {
+                    let (d, h) = phong_light(&l.phong, l.ns, wi, l.wo);
+                    assert!((scattered[i] - d).abs() < 1e-6, "{set:?}: {} against {d}", scattered[i]);
+                    assert!((highlight[i] - h).abs() < 2e-5, "{set:?}: {} against {h}", highlight[i]);
+                }
+            }
+        }
+    }
 }

@@ -2,6 +2,7 @@
 
 mod classic;
 mod light;
+mod soft;
 
 use crate::compile::CompiledScene;
 use vitrine_film::Region;

@@ -1,6 +1,6 @@
 //! Sample points as pure functions of (pixel, sample, dimension, seed): the same for any number of threads.
 
-use vitrine_math::{Vec2, hash};
+use vitrine_math::hash;
 
 /// Where in its pixel a sample lies, from 0 to 1 on both axes. Sample 0 is the middle, all others fill the pixel evenly around
 /// it (the R2 sequence: Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018).
@@ -27,14 +27,27 @@ impl SquareSampler {
         Self { scramble: [h, hash::mix(h ^ 0x68bc_21eb)] }
     }
 
-    /// A point, each coordinate in [0, 1).
+    /// Sixteen points from the index `first`, a multiple of 16, on: the coordinates u, then v, each in [0, 1).
+    #[inline(always)]
     #[must_use]
-    pub fn point(&self, index: u32) -> Vec2 {
-        Vec2::new(
-            hash::unit(index.reverse_bits() ^ self.scramble[0]),
-            hash::unit(sobol_second(index) ^ self.scramble[1]),
-        )
+    pub fn round(&self, first: u32) -> [[f32; 16]; 2] {
+        // Digits are joined without carry, so the sixteen differ from the first by what their own last digits give.
+        const U: [u32; 16] = bits_of_first_sixteen(false);
+        const V: [u32; 16] = bits_of_first_sixteen(true);
+        let u = first.reverse_bits() ^ self.scramble[0];
+        let v = sobol_second(first) ^ self.scramble[1];
+        [U.map(|bits| hash::unit(u ^ bits)), V.map(|bits| hash::unit(v ^ bits))]
     }
+}
+
+const fn bits_of_first_sixteen(second: bool) -> [u32; 16] {
+    let mut bits = [0; 16];
+    let mut i = 0;
+    while i < 16 {
+        bits[i] = if second { sobol_second(i as u32) } else { (i as u32).reverse_bits() };
+        i += 1;
+    }
+    bits
 }
 
 /// The second dimension of Sobol's sequence.
@@ -68,15 +81,24 @@ mod tests {
         }
     }
 
+    fn points(sampler: &SquareSampler, from: u32, count: u32) -> Vec<[f32; 2]> {
+        let round = |first| {
+            let [u, v] = sampler.round(first);
+            (0..16).map(move |i| [u[i], v[i]])
+        };
+        (from..from + count).step_by(16).flat_map(round).collect()
+    }
+
     #[test]
     fn every_stratum_holds_one_point() {
         for (pixel, side) in [(0_u32, 4_u32), (99, 4), (7, 8), (12_345, 16)] {
             let sampler = SquareSampler::new(pixel, 3, 1);
+            let count = side * side;
             for block in [0, 5] {
-                let mut cells = vec![0; (side * side) as usize];
-                for i in 0..side * side {
-                    let p = sampler.point(block * side * side + i) * side as f32;
-                    cells[(p.y as u32 * side + p.x as u32) as usize] += 1;
+                let mut cells = vec![0; count as usize];
+                for [u, v] in points(&sampler, block * count, count) {
+                    let [u, v] = [u, v].map(|x| (x * side as f32) as u32);
+                    cells[(v * side + u) as usize] += 1;
                 }
                 assert!(cells.iter().all(|&c| c == 1), "pixel {pixel}, {side} × {side}");
             }
@@ -85,7 +107,7 @@ mod tests {
 
     #[test]
     fn pixels_dimensions_and_seeds_differ() {
-        let p = |pixel, dimension, seed| SquareSampler::new(pixel, dimension, seed).point(0);
+        let p = |pixel, dimension, seed| SquareSampler::new(pixel, dimension, seed).round(0);
         assert_ne!(p(1, 0, 0), p(2, 0, 0));
         assert_ne!(p(1, 0, 0), p(1, 1, 0));
         assert_ne!(p(1, 0, 0), p(1, 0, 1));

@@ -2,7 +2,7 @@
 //! Günther and Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, chapter 7.
 
 use super::Span;
-use crate::accel::packet::{Packet, dot, splat3, sub3};
+use crate::accel::packet::{Packet, along3, dot, splat3, sub3};
 use crate::accel::simd::Simd;
 
 /// A ball in world space.
@@ -24,7 +24,7 @@ pub fn span<S: Simd>(s: S, p: &Packet<S>, center: [f32; 3], radius: f32, mask: S
     // b = −⟨f, d⟩; the closest approach to the centre is l = f + d·b/⟨d, d⟩
     let b = s.sub(zero, dot(s, &f, &p.d));
     let along = s.mul(b, p.inv_dd);
-    let l: [S::F; 3] = std::array::from_fn(|k| s.add(f[k], s.mul(p.d[k], along)));
+    let l = along3(s, &f, &p.d, along);
     let r2 = s.splat(radius * radius);
     // Δ/⟨d, d⟩ = r² − ⟨l, l⟩
     let discriminant = s.sub(r2, dot(s, &l, &l));

@@ -1,0 +1,153 @@
+//! Soft shadows: random points of a disc are tried, a round of sixteen at a time, until the shadow is good enough
+//! (course work, section 2.6.1).
+
+use super::TileTask;
+use super::light::{LitBlock, SurfaceLanes, towards};
+use crate::accel::packet::sub3;
+use crate::accel::simd::{Kernel, Simd};
+use crate::accel::{BLOCK, Column, Packet};
+use crate::samplers::SquareSampler;
+use vitrine_math::{Rgb, Vec3, warp};
+
+/// Points of a lamp that are tried for one surface before its quality is looked at: whole packets, and stratified 4 × 4.
+const ROUND: u32 = BLOCK as u32;
+
+/// A disc lamp and the surfaces in its light.
+pub struct SoftLight<'a> {
+    pub task: &'a TileTask<'a>,
+    /// Which sample of the pixels.
+    pub sample: u32,
+    /// Which of the scene's lights.
+    pub index: u32,
+    /// Intensity times colour.
+    pub light: Rgb,
+    /// The disc's middle and radius.
+    pub disc: (Vec3, f32),
+    pub blocks: &'a mut [LitBlock],
+}
+
+impl Kernel for SoftLight<'_> {
+    type Output = u64;
+
+    #[inline(always)]
+    fn run<S: Simd>(mut self, s: S) -> u64 {
+        let mut rays = 0;
+        let blocks = std::mem::take(&mut self.blocks);
+        for block in blocks {
+            for lane in 0..block.len {
+                let mut surface = SoftShadow::new(SurfaceLanes::splat(s, block, lane));
+                surface.try_points(s, &self, block.pixel[lane]);
+                rays += u64::from(surface.rays);
+                let [scattered, highlight] =
+                    [surface.scattered, surface.highlight].map(|sum| total(&sum) / surface.tried as f32);
+                for (k, radiance) in self.light.to_array().into_iter().enumerate() {
+                    block.sum[k][lane] += (block.color[k][lane] * scattered + highlight) * radiance;
+                }
+            }
+        }
+        rays
+    }
+}
+
+/// A surface while points of a lamp are tried for it.
+struct SoftShadow<S: Simd> {
+    surface: SurfaceLanes<S>,
+    /// What has come through, point by point of a round.
+    scattered: Column,
+    highlight: Column,
+    /// Σ and Σ² of the share of light that passes, to tell the quality.
+    passes: f32,
+    passes2: f32,
+    tried: u32,
+    rays: u32,
+}
+
+impl<S: Simd> SoftShadow<S> {
+    #[inline(always)]
+    fn new(surface: SurfaceLanes<S>) -> Self {
+        let zero = [0.0; BLOCK];
+        Self { surface, scattered: zero, highlight: zero, passes: 0.0, passes2: 0.0, tried: 0, rays: 0 }
+    }
+
+    /// Tries points until the standard error is small enough or all are used.
+    #[inline(always)]
+    fn try_points(&mut self, s: S, light: &SoftLight, pixel: u32) {
+        let settings = &light.task.settings;
+        let tile = light.task.tile;
+        let (x, y) = (tile.x + pixel % tile.width, tile.y + pixel / tile.width);
+        let sampler = SquareSampler::new(y * settings.size[0] + x, light.index, settings.seed);
+        // Whole rounds for each sample, so that every round is stratified.
+        let first = light.sample.wrapping_mul(settings.shadow_points.next_multiple_of(ROUND));
+        while self.tried < settings.shadow_points {
+            let points = sampler.round(first.wrapping_add(self.tried));
+            let count = ROUND.min(settings.shadow_points - self.tried);
+            self.try_round(s, light, &points, count);
+            self.tried += count;
+            if self.standard_error() <= settings.shadow_error {
+                return;
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn try_round(&mut self, s: S, light: &SoftLight, [u, v]: &[Column; 2], count: u32) {
+        let (middle, radius) = light.disc;
+        let (mut x, mut z, mut used) = ([0.0; BLOCK], [0.0; BLOCK], [0.0; BLOCK]);
+        for i in 0..BLOCK {
+            let p = warp::concentric_disk(vitrine_math::Vec2::new(u[i], v[i]));
+            x[i] = middle.x + radius * p.x;
+            z[i] = middle.z + radius * p.y;
+            used[i] = if (i as u32) < count { 1.0 } else { 0.0 };
+        }
+        let mut share = [0.0; BLOCK];
+        for start in (0..BLOCK).step_by(S::LANES) {
+            let zero = s.splat(0.0);
+            let on_disc = [s.load(&x[start..]), s.splat(middle.y), s.load(&z[start..])];
+            let (wi, distance) = towards(s, &sub3(s, &on_disc, &self.surface.origin));
+            let (seen, scattered, highlight) = self.surface.phong(s, &wi);
+            let seen = s.and(seen, s.lt(zero, s.load(&used[start..])));
+            if !s.any(seen) {
+                continue;
+            }
+            self.rays += s.bits(seen).count_ones();
+            let packet = Packet::new(s, self.surface.origin, wi);
+            let t_max = s.select(seen, distance, s.splat(-1.0));
+            let passes = light.task.scene.accel.packet_transmittance(s, &packet, t_max);
+            let passes = s.select(seen, passes, zero);
+            s.store(passes, &mut share[start..]);
+            accumulate(s, &mut self.scattered[start..], s.select(seen, scattered, zero), passes);
+            accumulate(s, &mut self.highlight[start..], s.select(seen, highlight, zero), passes);
+        }
+        self.passes += total(&share);
+        self.passes2 += total(&share.map(|p| p * p));
+    }
+
+    /// The standard error of the share of light that passes. Two points more are counted, one that passes and one that does
+    /// not, so that a few equal points do not pass for certainty (Laplace's rule of succession).
+    #[inline(always)]
+    fn standard_error(&self) -> f32 {
+        let m = self.tried as f32 + 2.0;
+        let mean = (self.passes + 1.0) / m;
+        let variance = (self.passes2 + 1.0) / m - mean * mean;
+        (variance.max(0.0) / self.tried as f32).sqrt()
+    }
+}
+
+/// sum + a·b
+#[inline(always)]
+fn accumulate<S: Simd>(s: S, sum: &mut [f32], a: S::F, b: S::F) {
+    s.store(s.add(s.load(sum), s.mul(a, b)), sum);
+}
+
+/// The sum of a column, always in the same order of pairs, so that it does not depend on the number of lanes.
+#[inline(always)]
+fn total(column: &Column) -> f32 {
+    let (mut sums, mut width) = (*column, BLOCK / 2);
+    while width > 0 {
+        for i in 0..width {
+            sums[i] += sums[i + width];
+        }
+        width /= 2;
+    }
+    sums[0]
+}
