@@ -1,16 +1,66 @@
-//! What shading needs to know of the point where a ray meets a surface, worked out once a hit.
+//! What shading needs to know of the points where rays meet surfaces, worked out once a hit, sixteen at a time.
 
-use crate::accel::Hit;
-use crate::compile::unit_normal;
-use crate::compile::{CompiledMaterial, CompiledScene, Form, Primitive};
+use crate::accel::packet::{along3, dot, load3, sub3};
+use crate::accel::simd::{Kernel, Simd};
+use crate::accel::{BLOCK, Column, Hit, HitStream, NOTHING, RayStream};
+use crate::compile::{CompiledScene, Form, Primitive, unit_normal};
 use std::f32::consts::PI;
-use vitrine_math::{Ray, Vec2, Vec3};
+use vitrine_math::{Ray, Vec2, Vec3, offset_origin};
 use vitrine_scene::TriangleMesh;
+
+/// Points of surfaces, each seen along a ray. Places without a hit mean nothing.
+#[derive(Clone, Copy, Debug)]
+#[repr(C, align(64))]
+pub struct SurfaceBlock {
+    /// The points, put back onto the surface where rounding took them off. World space.
+    p: [Column; 3],
+    /// Where rays start that leave on the viewer's side.
+    pub origin: [Column; 3],
+    /// The unit normals of the forms, on the viewer's side.
+    pub n: [Column; 3],
+    /// The unit normals for shading, on the viewer's side of the form.
+    pub ns: [Column; 3],
+    /// The unit directions to the viewer.
+    pub wo: [Column; 3],
+    /// 1 where the viewer is on the outer side, else −1.
+    side: Column,
+}
+
+impl SurfaceBlock {
+    pub const EMPTY: Self = {
+        let zero3 = [[0.0; BLOCK]; 3];
+        Self { p: zero3, origin: zero3, n: zero3, ns: zero3, wo: zero3, side: [0.0; BLOCK] }
+    };
+
+    /// One of the points.
+    #[inline(always)]
+    pub fn get(&self, lane: usize) -> SurfaceInteraction {
+        let at = |v: &[Column; 3]| Vec3::new(v[0][lane], v[1][lane], v[2][lane]);
+        SurfaceInteraction {
+            p: at(&self.p),
+            n: at(&self.n),
+            ns: at(&self.ns),
+            wo: at(&self.wo),
+            is_outside: self.side[lane] > 0.0,
+        }
+    }
+
+    fn put(&mut self, lane: usize, surface: &SurfaceInteraction) {
+        let origin = offset_origin(surface.p, surface.n);
+        for k in 0..3 {
+            self.p[k][lane] = surface.p[k];
+            self.origin[k][lane] = origin[k];
+            self.n[k][lane] = surface.n[k];
+            self.ns[k][lane] = surface.ns[k];
+        }
+        self.side[lane] = if surface.is_outside { 1.0 } else { -1.0 };
+    }
+}
 
 /// A point of a surface, seen along a ray.
 #[derive(Clone, Copy, Debug)]
 pub struct SurfaceInteraction {
-    /// The point, put back onto the surface where rounding took it off. World space.
+    /// The point. World space.
     pub p: Vec3,
     /// The unit normal of the form, on the viewer's side.
     pub n: Vec3,
@@ -20,31 +70,57 @@ pub struct SurfaceInteraction {
     pub wo: Vec3,
     /// Whether the viewer is on the outer side.
     pub is_outside: bool,
-    /// The index of the material.
-    pub material: u32,
+}
+
+/// A ball's or a flat form's normals in one formula, so that lanes need not part ways: n = (p − center)/radius + flat. A
+/// flat form has 1/radius = 0, a ball flat = 0.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct NormalField {
+    center: [f32; 3],
+    flat: [f32; 3],
+    radius: f32,
+    inv_radius: f32,
+    /// Whether the formula does not hold: boxes, ellipsoids, meshes.
+    is_other: bool,
+}
+
+impl NormalField {
+    /// Of a primitive.
+    pub fn new(form: &Form) -> Self {
+        match form {
+            Form::Sphere { center, radius } => Self {
+                center: (*center).into(),
+                radius: *radius,
+                inv_radius: 1.0 / radius,
+                ..Self::default()
+            },
+            Form::Plane { point, n } | Form::Triangle { points: [point, ..], n, .. } => {
+                Self { center: (*point).into(), flat: (*n).into(), ..Self::default() }
+            }
+            Form::Box { .. } | Form::Ellipsoid { .. } | Form::Mesh { .. } => {
+                Self { is_other: true, ..Self::default() }
+            }
+        }
+    }
 }
 
 impl CompiledScene {
-    /// The point that a ray of unit direction hits.
-    #[inline(always)]
-    pub(crate) fn surface(&self, ray: &Ray, hit: &Hit) -> SurfaceInteraction {
-        let primitive = &self.primitives[hit.primitive as usize];
+    /// The points that rays of unit direction hit.
+    pub(crate) fn surfaces(&self, rays: &RayStream, hits: &HitStream, surfaces: &mut Vec<SurfaceBlock>) {
+        surfaces.resize(rays.len().div_ceil(BLOCK), SurfaceBlock::EMPTY);
+        self.accel.instructions.run(Surfaces { scene: self, rays, hits, surfaces });
+    }
+
+    /// The same for one hit on a form that needs more than the one formula.
+    fn other_surface(&self, ray: &Ray, hit: &Hit) -> SurfaceInteraction {
         let wo = -ray.direction;
-        let p = ray.at(hit.t);
-        let (p, outward, smooth) = match &primitive.form {
-            Form::Sphere { center, inv_radius } => {
-                let n = ((p - *center) * *inv_radius).normalize();
-                (*center + n / *inv_radius, n, n)
-            }
-            Form::Plane { n } => (p, *n, *n),
-            _ => primitive.point_of_other(p, hit),
-        };
+        let (p, outward, smooth) = self.primitives[hit.primitive as usize].point_of_other(ray.at(hit.t), hit);
         let is_outside = outward.dot(wo) >= 0.0;
         let n = if is_outside { outward } else { -outward };
         let ns = if smooth.dot(n) >= 0.0 { smooth } else { -smooth };
         // A smooth normal that the viewer sees from behind would turn the shading inside out.
         let ns = if ns.dot(wo) > 0.0 { ns } else { n };
-        SurfaceInteraction { p, n, ns, wo, is_outside, material: primitive.material_of(hit) }
+        SurfaceInteraction { p, n, ns, wo, is_outside }
     }
 
     /// Where on its surface's pictures a point lies: u to the right, v up.
@@ -63,25 +139,119 @@ impl CompiledScene {
             }
         }
     }
+}
 
-    pub(crate) fn material(&self, surface: &SurfaceInteraction) -> &CompiledMaterial {
-        &self.materials[surface.material as usize]
+struct Surfaces<'a> {
+    scene: &'a CompiledScene,
+    rays: &'a RayStream,
+    hits: &'a HitStream,
+    surfaces: &'a mut [SurfaceBlock],
+}
+
+impl Kernel for Surfaces<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<S: Simd>(self, s: S) {
+        let scene = self.scene;
+        for (index, (rays, surface)) in self.rays.blocks().iter().zip(self.surfaces).enumerate() {
+            let hits = self.hits.block(index);
+            let (mut fields, mut others) = (Fields::EMPTY, 0_u32);
+            for lane in 0..BLOCK {
+                let primitive = hits.primitive[lane].to_bits();
+                if primitive != NOTHING {
+                    let field = &scene.normals[primitive as usize];
+                    fields.put(lane, field);
+                    others |= u32::from(field.is_other) << lane;
+                }
+            }
+            for start in (0..BLOCK).step_by(S::LANES) {
+                let d = load3(s, &rays.direction, start);
+                let p = along3(s, &load3(s, &rays.origin, start), &d, s.load(&hits.t[start..]));
+                fields.surface(s, surface, start, [p, d]);
+            }
+            for lane in 0..BLOCK {
+                let [p, n] = [&surface.p, &surface.n].map(|v| Vec3::new(v[0][lane], v[1][lane], v[2][lane]));
+                let origin = offset_origin(p, n);
+                for k in 0..3 {
+                    surface.origin[k][lane] = origin[k];
+                }
+            }
+            while others != 0 {
+                let lane = others.trailing_zeros() as usize;
+                others &= others - 1;
+                let i = index * BLOCK + lane;
+                if let Some(hit) = self.hits.get(i) {
+                    surface.put(lane, &scene.other_surface(&self.rays.get(i), &hit));
+                }
+            }
+        }
+    }
+}
+
+/// The normal fields of sixteen hits.
+struct Fields {
+    center: [Column; 3],
+    flat: [Column; 3],
+    radius: Column,
+    inv_radius: Column,
+}
+
+impl Fields {
+    const EMPTY: Self = {
+        let zero = [0.0; BLOCK];
+        Self { center: [zero; 3], flat: [zero; 3], radius: zero, inv_radius: zero }
+    };
+
+    #[inline(always)]
+    fn put(&mut self, lane: usize, field: &NormalField) {
+        for k in 0..3 {
+            self.center[k][lane] = field.center[k];
+            self.flat[k][lane] = field.flat[k];
+        }
+        self.radius[lane] = field.radius;
+        self.inv_radius[lane] = field.inv_radius;
+    }
+
+    /// The points of the surface near points p, seen along d.
+    #[inline(always)]
+    fn surface<S: Simd>(&self, s: S, to: &mut SurfaceBlock, start: usize, [p, d]: [[S::F; 3]; 2]) {
+        let zero = s.splat(0.0);
+        let from_center = sub3(s, &p, &load3(s, &self.center, start));
+        let n = along3(s, &load3(s, &self.flat, start), &from_center, s.load(&self.inv_radius[start..]));
+        // One Newton step towards unit length, which it is but for rounding: n·(3 − ⟨n, n⟩)/2
+        let correction = s.mul(s.sub(s.splat(3.0), dot(s, &n, &n)), s.splat(0.5));
+        let n = along3(s, &[zero; 3], &n, correction);
+        // Back onto the surface: p − n·(⟨n, p − center⟩ − radius)
+        let off = s.sub(s.load(&self.radius[start..]), dot(s, &n, &from_center));
+        let p = along3(s, &p, &n, off);
+        let wo = sub3(s, &[zero; 3], &d);
+        let outside = s.le(zero, dot(s, &n, &wo));
+        let side = s.select(outside, s.splat(1.0), s.splat(-1.0));
+        let n = along3(s, &[zero; 3], &n, side);
+        s.store(side, &mut to.side[start..]);
+        for k in 0..3 {
+            s.store(p[k], &mut to.p[k][start..]);
+            s.store(n[k], &mut to.n[k][start..]);
+            s.store(n[k], &mut to.ns[k][start..]);
+            s.store(wo[k], &mut to.wo[k][start..]);
+        }
     }
 }
 
 impl Primitive {
+    /// The index of the material where it is hit.
     #[inline(always)]
-    fn material_of(&self, hit: &Hit) -> u32 {
+    pub(crate) fn material_of(&self, hit: &Hit) -> u32 {
         match &self.form {
             Form::Mesh { accel, .. } if self.by_triangle => self.material + accel.slot(hit.triangle),
             _ => self.material,
         }
     }
 
-    /// The point on the surface, the outward normal and the normal for shading, of forms other than balls and planes.
+    /// The point on the surface, the outward normal and the normal for shading, of boxes, ellipsoids and meshes.
     fn point_of_other(&self, p: Vec3, hit: &Hit) -> (Vec3, Vec3, Vec3) {
         match &self.form {
-            Form::Sphere { .. } | Form::Plane { .. } => (p, Vec3::Y, Vec3::Y),
             Form::Ellipsoid { unit } => {
                 let local = unit.object_from_world.transform_point3(p).normalize();
                 let n = unit.normal(local);
@@ -95,7 +265,9 @@ impl Primitive {
                 let n = unit.normal(Vec3::AXES[axis] * side);
                 (unit.point(on_face), n, n)
             }
-            Form::Triangle { points, n, .. } => (mix3(*points, hit.uv), *n, *n),
+            Form::Sphere { .. } | Form::Plane { .. } | Form::Triangle { .. } => {
+                unreachable!("its normals follow the one formula")
+            }
             Form::Mesh { mesh, .. } => {
                 let corners = mesh.triangles[hit.triangle as usize];
                 let points = corners.map(|i| mesh.positions[i as usize]);

@@ -14,17 +14,17 @@ pub const NOTHING: u32 = 0x7f7f_ffff;
 /// Sixteen rays.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
-pub(super) struct RayBlock {
-    pub origin: [Column; 3],
-    pub direction: [Column; 3],
+pub struct RayBlock {
+    pub(crate) origin: [Column; 3],
+    pub(crate) direction: [Column; 3],
     /// Ends; negative for places without a ray, which hit nothing.
-    pub t_max: Column,
+    pub(crate) t_max: Column,
     /// Where hits begin to count: after this distance, and at it after that triangle of that primitive.
-    pub start_t: Column,
+    pub(crate) start_t: Column,
     /// The bits of an integer.
-    pub start_primitive: Column,
+    pub(crate) start_primitive: Column,
     /// The bits of an integer.
-    pub start_triangle: Column,
+    pub(crate) start_triangle: Column,
 }
 
 impl RayBlock {
@@ -98,6 +98,12 @@ impl RayStream {
         block.start_triangle[lane] = f32::from_bits(triangle);
     }
 
+    /// The rays in blocks.
+    #[inline(always)]
+    pub(crate) fn blocks(&self) -> &[RayBlock] {
+        &self.blocks
+    }
+
     /// A ray.
     ///
     /// # Panics
@@ -114,18 +120,18 @@ impl RayStream {
 /// Sixteen hits.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
-pub(super) struct HitBlock {
-    pub t: Column,
+pub struct HitBlock {
+    pub(crate) t: Column,
     /// The bits of an integer.
-    pub primitive: Column,
+    pub(crate) primitive: Column,
     /// The bits of an integer.
-    pub triangle: Column,
-    pub u: Column,
-    pub v: Column,
+    pub(crate) triangle: Column,
+    pub(crate) u: Column,
+    pub(crate) v: Column,
 }
 
 impl HitBlock {
-    pub const EMPTY: Self = {
+    pub(super) const EMPTY: Self = {
         let zero = [0.0; BLOCK];
         Self { t: zero, primitive: zero, triangle: zero, u: zero, v: zero }
     };
@@ -151,6 +157,12 @@ pub struct Hit {
 }
 
 impl HitStream {
+    /// The hits of a block of rays.
+    #[inline(always)]
+    pub(crate) fn block(&self, i: usize) -> &HitBlock {
+        &self.blocks[i]
+    }
+
     /// The hit of a ray, or None when it hits nothing.
     ///
     /// # Panics

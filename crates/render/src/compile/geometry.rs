@@ -32,8 +32,8 @@ pub enum Form {
     Sphere {
         /// The centre.
         center: Vec3,
-        /// 1 / radius.
-        inv_radius: f32,
+        /// The radius.
+        radius: f32,
     },
     /// The unit ball of a space of its own.
     Ellipsoid {
@@ -47,6 +47,8 @@ pub enum Form {
     },
     /// A plane.
     Plane {
+        /// One of its points.
+        point: Vec3,
         /// The unit normal in the world.
         n: Vec3,
     },
@@ -145,7 +147,7 @@ impl Collection {
         let (center, radius) = (transform.point(Vec3::ZERO), radius * scale);
         let bounds = Bounds3 { min: center - Vec3::splat(radius), max: center + Vec3::splat(radius) };
         self.collected.spheres.push((Sphere { center: center.into(), radius, primitive: id }, bounds));
-        (Form::Sphere { center, inv_radius: 1.0 / radius }, bounds)
+        (Form::Sphere { center, radius }, bounds)
     }
 
     fn cuboid(&mut self, half: Vec3, transform: &Transform) -> (Form, Bounds3) {
@@ -156,9 +158,10 @@ impl Collection {
 
     fn plane(&mut self, transform: &Transform) -> (Form, Bounds3) {
         let n = transform.normal(Vec3::Y);
-        let offset = n.dot(transform.point(Vec3::ZERO));
+        let point = transform.point(Vec3::ZERO);
+        let offset = n.dot(point);
         self.collected.planes.push(Plane { n: n.into(), offset, primitive: self.next_id() });
-        (Form::Plane { n }, Bounds3::EMPTY)
+        (Form::Plane { point, n }, Bounds3::EMPTY)
     }
 
     fn triangle(&mut self, points: [Vec3; 3], uvs: [[f32; 2]; 3]) -> (Form, Bounds3) {
@@ -217,7 +220,12 @@ impl Collection {
 /// A cube or ball of radius 1 stretched to that half size: its space, its record and its box.
 fn unit_form(half: Vec3, transform: &Transform, primitive: u32) -> (Transform, Unit, Bounds3) {
     let unit = transform.after(&Transform::from_place(Vec3::ZERO, Vec3::ZERO, half));
-    let bounds = unit.bounds(&Bounds3 { min: Vec3::NEG_ONE, max: Vec3::ONE });
+    let bounds = if unit.object_from_world.is_finite() {
+        unit.bounds(&Bounds3 { min: Vec3::NEG_ONE, max: Vec3::ONE })
+    } else {
+        // So thin that its own space cannot be reached: the check on boxes refuses it.
+        Bounds3 { min: Vec3::splat(f32::NEG_INFINITY), max: Vec3::splat(f32::INFINITY) }
+    };
     (unit, Unit { unit_from_world: unit.object_from_world, primitive }, bounds)
 }
 

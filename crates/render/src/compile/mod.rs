@@ -12,6 +12,7 @@ pub use materials::{CompiledMaterial, CompiledTexture};
 use crate::accel::Accel;
 use crate::accel::simd::Instructions;
 use crate::error::CompileError;
+use crate::surface::NormalField;
 use vitrine_math::{Bounds3, Rgb};
 use vitrine_scene::lights::Emission;
 use vitrine_scene::{Assets, Scene};
@@ -22,6 +23,7 @@ pub struct CompiledScene {
     pub(crate) accel: Accel,
     pub(crate) camera: CompiledCamera,
     pub(crate) primitives: Vec<Primitive>,
+    pub(crate) normals: Vec<NormalField>,
     pub(crate) materials: Vec<CompiledMaterial>,
     pub(crate) textures: Vec<CompiledTexture>,
     pub(crate) lights: Vec<CompiledLight>,
@@ -61,6 +63,7 @@ pub fn compile(scene: &Scene, assets: &Assets) -> Result<CompiledScene, CompileE
     Ok(CompiledScene {
         accel: Accel::new(geometry.collected, transparencies),
         camera: CompiledCamera::new(&scene.camera),
+        normals: geometry.primitives.iter().map(|p| NormalField::new(&p.form)).collect(),
         primitives: geometry.primitives,
         materials: table.materials,
         textures: table.textures,

@@ -9,13 +9,13 @@
 //! its pixel, and what they meet gives the next wave. So rays go in packets, and nothing depends on threads.
 
 use super::TileTask;
-use super::light::{LightQueue, Lit, Shadows};
-use crate::accel::{Hit, HitStream, RayStream};
+use super::light::{LightQueue, Lit, Shadows, WaveLight};
+use crate::accel::{BLOCK, Hit, HitStream, RayStream};
 use crate::compile::{CompiledMaterial, CompiledScene};
 use crate::samplers::in_pixel;
-use crate::surface::SurfaceInteraction;
+use crate::surface::{SurfaceBlock, SurfaceInteraction};
 use vitrine_math::{Ray, Rgb, offset_origin};
-use vitrine_optics::{PhongSurface, reflect, refract};
+use vitrine_optics::{reflect, refract};
 
 /// Light with less weight than this in its pixel is not followed: it is below a tenth of the smallest step of an 8-bit picture.
 const MIN_WEIGHT: f32 = 2e-5;
@@ -79,6 +79,7 @@ pub struct Waves {
     onward: Wave,
     mirrored: Wave,
     hits: HitStream,
+    surfaces: Vec<SurfaceBlock>,
     lights: LightQueue,
     sums: Vec<Rgb>,
     rays: u64,
@@ -136,17 +137,16 @@ impl Waves {
         let scene = task.scene;
         self.rays += self.now.rays.len() as u64;
         scene.accel.closest(&self.now.rays, &mut self.hits);
-        self.lights.clear();
+        scene.surfaces(&self.now.rays, &self.hits, &mut self.surfaces);
+        self.lights.reset(self.now.rays.len());
         for i in 0..self.now.errands.len() {
             let errand = self.now.errands[i];
             let Some(hit) = self.hits.get(i) else {
                 self.sums[errand.pixel as usize] += scene.background * errand.weight;
                 continue;
             };
-            let ray = self.now.rays.get(i);
-            let surface = scene.surface(&ray, &hit);
-            let material = scene.material(&surface);
-            let view = View { scene, ray: &ray, hit: &hit, surface: &surface, material };
+            let material = scene.primitives[hit.primitive as usize].material_of(&hit);
+            let view = View { scene, place: i, hit: &hit, material: &scene.materials[material as usize] };
             match reach {
                 Reach::CameraOnly => self.show(&view, errand.pixel, errand.weight),
                 Reach::Recursive => self.spread(&view, errand),
@@ -156,16 +156,25 @@ impl Waves {
             Reach::CameraOnly => Shadows::None,
             Reach::Recursive => Shadows::Cast,
         };
-        self.rays += self.lights.shade(task, sample, shadows, &mut self.sums);
+        let wave = WaveLight { task, sample, shadows, surfaces: &self.surfaces };
+        self.rays += self.lights.shade(&wave, &mut self.sums);
+    }
+
+    /// The point of a hit.
+    #[inline(always)]
+    fn surface(&self, place: usize) -> SurfaceInteraction {
+        self.surfaces[place / BLOCK].get(place % BLOCK)
     }
 
     /// The light of a surface itself, with that weight in its pixel.
     #[inline(always)]
     fn show(&mut self, view: &View, pixel: u32, weight: f32) {
-        let phong = view.phong();
-        self.sums[pixel as usize] += phong.color * view.scene.ambient * weight;
-        let &SurfaceInteraction { p, n, ns, wo, .. } = view.surface;
-        self.lights.push(&Lit { p, n, ns, wo, phong, pixel, weight });
+        let (scene, mut phong) = (view.scene, view.material.phong);
+        if let Some(texture) = view.material.texture {
+            let at = scene.texture_point(self.surface(view.place).p, view.hit);
+            phong.color = scene.textures[texture].color(at);
+        }
+        self.lights.put(view.place, &Lit { phong, pixel, weight }, scene.ambient);
     }
 
     /// Shares a ray's weight among the surface's own light, its mirror image and what is behind.
@@ -182,7 +191,7 @@ impl Waves {
         let reflected = opaque * mirror;
         if reflected > MIN_WEIGHT {
             let errand = Errand { weight: reflected, reflections: errand.reflections - 1, ..errand };
-            self.mirrored.push(&view.mirrored(), errand);
+            self.mirrored.push(&mirrored(&self.surface(view.place)), errand);
         }
         let through = errand.weight * material.transparency;
         if through > MIN_WEIGHT {
@@ -198,9 +207,9 @@ impl Waves {
         }
         let errand = Errand { crossings: errand.crossings + 1, ..errand };
         if view.material.refraction == 1.0 {
-            self.onward.push_on(view.ray, view.hit, errand);
+            self.onward.push_on(&self.now.rays.get(view.place), view.hit, errand);
         } else {
-            self.onward.push(&view.bent(), errand);
+            self.onward.push(&bent(&self.surface(view.place), view.material.refraction), errand);
         }
     }
 }
@@ -208,38 +217,25 @@ impl Waves {
 /// A hit with all that belongs to it.
 struct View<'a> {
     scene: &'a CompiledScene,
-    ray: &'a Ray,
+    /// The ray's place in its wave.
+    place: usize,
     hit: &'a Hit,
-    surface: &'a SurfaceInteraction,
     material: &'a CompiledMaterial,
 }
 
-impl View<'_> {
-    #[inline(always)]
-    fn phong(&self) -> PhongSurface {
-        let phong = self.material.phong;
-        let Some(texture) = self.material.texture else { return phong };
-        let at = self.scene.texture_point(self.surface.p, self.hit);
-        PhongSurface { color: self.scene.textures[texture].color(at), ..phong }
-    }
+/// The mirror ray.
+fn mirrored(s: &SurfaceInteraction) -> Ray {
+    let wi = reflect(s.wo, s.ns);
+    // A smooth normal may send it into the surface: then the form's own normal decides.
+    let wi = if wi.dot(s.n) > 0.0 { wi } else { reflect(s.wo, s.n) };
+    Ray::new(offset_origin(s.p, s.n), wi.normalize())
+}
 
-    /// The mirror ray.
-    fn mirrored(&self) -> Ray {
-        let s = self.surface;
-        let wi = reflect(s.wo, s.ns);
-        // A smooth normal may send it into the surface: then the form's own normal decides.
-        let wi = if wi.dot(s.n) > 0.0 { wi } else { reflect(s.wo, s.n) };
-        Ray::new(offset_origin(s.p, s.n), wi.normalize())
-    }
-
-    /// The refracted ray, or at total reflection the mirror ray.
-    fn bent(&self) -> Ray {
-        let s = self.surface;
-        let eta = self.material.refraction;
-        let eta = if s.is_outside { eta } else { 1.0 / eta };
-        match refract(s.wo, s.ns, eta) {
-            Some(wi) if wi.dot(s.n) < 0.0 => Ray::new(offset_origin(s.p, -s.n), wi.normalize()),
-            _ => self.mirrored(),
-        }
+/// The refracted ray, or at total reflection the mirror ray. `refraction` is the index inside over the index outside.
+fn bent(s: &SurfaceInteraction, refraction: f32) -> Ray {
+    let eta = if s.is_outside { refraction } else { 1.0 / refraction };
+    match refract(s.wo, s.ns, eta) {
+        Some(wi) if wi.dot(s.n) < 0.0 => Ray::new(offset_origin(s.p, -s.n), wi.normalize()),
+        _ => mirrored(s),
     }
 }

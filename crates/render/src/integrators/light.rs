@@ -7,132 +7,99 @@ use super::TileTask;
 use super::soft::SoftLight;
 use crate::accel::packet::{along3, dot, load3, splat3, sub3};
 use crate::accel::simd::{Kernel, Simd};
-use crate::accel::{Accel, BLOCK, Column, Packet};
+use crate::accel::{BLOCK, Column, Packet};
 use crate::compile::CompiledLight;
-use vitrine_math::{Rgb, Vec3, offset_origin};
+use crate::surface::SurfaceBlock;
+use vitrine_math::Rgb;
 use vitrine_optics::PhongSurface;
 use vitrine_scene::lights::Emission;
 
-/// A point of a surface that waits for light.
-#[derive(Clone, Copy, Debug)]
-pub struct Lit {
-    /// The point. World space.
-    pub p: Vec3,
-    /// The unit normal of the form, on the viewer's side.
-    pub n: Vec3,
-    /// The unit normal for shading.
-    pub ns: Vec3,
-    /// The unit direction to the viewer.
-    pub wo: Vec3,
-    /// The surface.
-    pub phong: PhongSurface,
-    /// The pixel, by its place in the tile.
-    pub pixel: u32,
-    /// How much of its light reaches the pixel.
-    pub weight: f32,
-}
-
-/// Sixteen surfaces.
+/// What the surfaces of a block are made of, and the light that has reached them.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 pub struct LitBlock {
-    /// Where shadow rays start.
-    pub origin: [Column; 3],
-    pub n: [Column; 3],
-    pub ns: [Column; 3],
-    pub wo: [Column; 3],
     pub color: [Column; 3],
-    /// k_d and k_s, each times the weight in the pixel.
+    /// k_d and k_s, each times the weight of the surface's own light in its pixel; 0 in places without a surface.
     pub diffuse: Column,
     pub specular: Column,
     pub shininess: Column,
-    /// The light so far: what is scattered, times the colour, and highlights.
+    /// The light so far, as the pixel gets it.
     pub sum: [Column; 3],
     pub pixel: [u32; BLOCK],
-    /// How many surfaces there are; the other places hold dark ones.
-    pub len: usize,
 }
 
 impl LitBlock {
-    const EMPTY: Self = {
+    const DARK: Self = {
         let zero = [0.0; BLOCK];
-        let zero3 = [zero; 3];
         Self {
-            origin: zero3,
-            n: zero3,
-            ns: zero3,
-            wo: zero3,
-            color: zero3,
+            color: [zero; 3],
             diffuse: zero,
             specular: zero,
             shininess: [1.0; BLOCK],
-            sum: zero3,
+            sum: [zero; 3],
             pixel: [0; BLOCK],
-            len: 0,
         }
     };
 }
 
-/// The surfaces of a wave.
+/// A surface that waits for light.
+#[derive(Clone, Copy, Debug)]
+pub struct Lit {
+    pub phong: PhongSurface,
+    /// The pixel, by its place in the tile.
+    pub pixel: u32,
+    /// The weight of the surface's own light in the pixel.
+    pub weight: f32,
+}
+
+/// The surfaces of a wave that wait for light, each in the place of its hit.
 #[derive(Debug, Default)]
 pub struct LightQueue {
     blocks: Vec<LitBlock>,
 }
 
 impl LightQueue {
-    pub fn clear(&mut self) {
+    /// Makes so many dark places.
+    pub fn reset(&mut self, len: usize) {
         self.blocks.clear();
+        self.blocks.resize(len.div_ceil(BLOCK), LitBlock::DARK);
     }
 
+    /// Puts a surface into a place, with the light that it has already.
     #[inline(always)]
-    pub fn push(&mut self, lit: &Lit) {
-        if self.blocks.last().is_none_or(|b| b.len == BLOCK) {
-            self.blocks.push(LitBlock::EMPTY);
-        }
-        let Some(block) = self.blocks.last_mut() else { return };
-        let lane = block.len % BLOCK;
-        block.len += 1;
-        let origin = offset_origin(lit.p, lit.n);
-        let color = lit.phong.color.to_array();
+    pub fn put(&mut self, i: usize, surface: &Lit, ambient: Rgb) {
+        let &Lit { phong, pixel, weight } = surface;
+        let (block, lane) = (&mut self.blocks[i / BLOCK], i % BLOCK);
+        let (color, lit) = (phong.color.to_array(), (phong.color * ambient * weight).to_array());
         for k in 0..3 {
-            block.origin[k][lane] = origin[k];
-            block.n[k][lane] = lit.n[k];
-            block.ns[k][lane] = lit.ns[k];
-            block.wo[k][lane] = lit.wo[k];
             block.color[k][lane] = color[k];
+            block.sum[k][lane] = lit[k];
         }
-        block.diffuse[lane] = lit.phong.diffuse * lit.weight;
-        block.specular[lane] = lit.phong.specular * lit.weight;
-        block.shininess[lane] = lit.phong.shininess;
-        block.pixel[lane] = lit.pixel;
+        block.diffuse[lane] = phong.diffuse * weight;
+        block.specular[lane] = phong.specular * weight;
+        block.shininess[lane] = phong.shininess;
+        block.pixel[lane] = pixel;
     }
 
     /// Adds the light of every lamp to the pixels; gives the number of shadow rays.
-    pub fn shade(&mut self, task: &TileTask, sample: u32, shadows: Shadows, sums: &mut [Rgb]) -> u64 {
+    pub fn shade(&mut self, wave: &WaveLight, sums: &mut [Rgb]) -> u64 {
+        let &WaveLight { task, shadows, .. } = wave;
         let mut rays = 0;
         let accel = &task.scene.accel;
         for (index, light) in task.scene.lights.iter().enumerate() {
             let blocks = &mut self.blocks;
             rays += match (light.emission, shadows) {
                 (Emission::Disc { position, radius }, Shadows::Cast) => {
-                    let disc = (position, radius);
-                    let light = light.radiance;
-                    accel.instructions.run(SoftLight {
-                        task,
-                        sample,
-                        index: index as u32,
-                        light,
-                        disc,
-                        blocks,
-                    })
+                    let (disc, light) = ((position, radius), light.radiance);
+                    accel.instructions.run(SoftLight { wave, index: index as u32, light, disc, blocks })
                 }
-                _ => accel.instructions.run(HardLight { accel, light, shadows, blocks }),
+                _ => accel.instructions.run(HardLight { wave, light, blocks }),
             };
         }
         for block in &self.blocks {
-            for lane in 0..block.len {
-                let [r, g, b] = [0, 1, 2].map(|k| block.sum[k][lane]);
-                sums[block.pixel[lane] as usize] += Rgb::new(r, g, b);
+            for lane in 0..BLOCK {
+                let [r, g, b] = &block.sum;
+                sums[block.pixel[lane] as usize] += Rgb::new(r[lane], g[lane], b[lane]);
             }
         }
         rays
@@ -148,11 +115,20 @@ pub enum Shadows {
     None,
 }
 
+/// A wave that is to be lit.
+pub struct WaveLight<'a> {
+    pub task: &'a TileTask<'a>,
+    /// Which sample of the pixels.
+    pub sample: u32,
+    pub shadows: Shadows,
+    /// Where the surfaces are.
+    pub surfaces: &'a [SurfaceBlock],
+}
+
 /// A lamp without size, or one taken for its middle where shadows do not count.
 struct HardLight<'a> {
-    accel: &'a Accel,
+    wave: &'a WaveLight<'a>,
     light: &'a CompiledLight,
-    shadows: Shadows,
     blocks: &'a mut [LitBlock],
 }
 
@@ -162,9 +138,9 @@ impl Kernel for HardLight<'_> {
     #[inline(always)]
     fn run<S: Simd>(self, s: S) -> u64 {
         let mut rays = 0;
-        for block in self.blocks {
+        for (block, surfaces) in self.blocks.iter_mut().zip(self.wave.surfaces) {
             for start in (0..BLOCK).step_by(S::LANES) {
-                let surface = SurfaceLanes::load(s, block, start);
+                let surface = SurfaceLanes::load(s, block, surfaces, start);
                 let (wi, distance) = match self.light.emission {
                     Emission::Direction { travels } => (splat3(s, (-travels).into()), s.splat(f32::INFINITY)),
                     Emission::Point { position } | Emission::Disc { position, .. } => {
@@ -177,13 +153,13 @@ impl Kernel for HardLight<'_> {
                 if !s.any(seen) {
                     continue;
                 }
-                let passes = match self.shadows {
+                let passes = match self.wave.shadows {
                     Shadows::None => s.splat(1.0),
                     Shadows::Cast => {
                         rays += u64::from(s.bits(seen).count_ones());
                         let t_max = s.select(seen, distance, s.splat(-1.0));
                         let packet = Packet::new(s, surface.origin, wi);
-                        self.accel.packet_transmittance(s, &packet, t_max)
+                        self.wave.task.scene.accel.packet_transmittance(s, &packet, t_max)
                     }
                 };
                 let dark = s.splat(0.0);
@@ -210,12 +186,12 @@ pub struct SurfaceLanes<S: Simd> {
 
 impl<S: Simd> SurfaceLanes<S> {
     #[inline(always)]
-    fn load(s: S, block: &LitBlock, start: usize) -> Self {
+    fn load(s: S, block: &LitBlock, surfaces: &SurfaceBlock, start: usize) -> Self {
         Self {
-            origin: load3(s, &block.origin, start),
-            n: load3(s, &block.n, start),
-            ns: load3(s, &block.ns, start),
-            wo: load3(s, &block.wo, start),
+            origin: load3(s, &surfaces.origin, start),
+            n: load3(s, &surfaces.n, start),
+            ns: load3(s, &surfaces.ns, start),
+            wo: load3(s, &surfaces.wo, start),
             diffuse: s.load(&block.diffuse[start..]),
             specular: s.load(&block.specular[start..]),
             shininess: s.load(&block.shininess[start..]),
@@ -224,13 +200,13 @@ impl<S: Simd> SurfaceLanes<S> {
 
     /// One surface in all lanes.
     #[inline(always)]
-    pub fn splat(s: S, block: &LitBlock, lane: usize) -> Self {
+    pub fn splat(s: S, block: &LitBlock, surfaces: &SurfaceBlock, lane: usize) -> Self {
         let at = |v: &[Column; 3]| [v[0][lane], v[1][lane], v[2][lane]];
         Self {
-            origin: splat3(s, at(&block.origin)),
-            n: splat3(s, at(&block.n)),
-            ns: splat3(s, at(&block.ns)),
-            wo: splat3(s, at(&block.wo)),
+            origin: splat3(s, at(&surfaces.origin)),
+            n: splat3(s, at(&surfaces.n)),
+            ns: splat3(s, at(&surfaces.ns)),
+            wo: splat3(s, at(&surfaces.wo)),
             diffuse: s.splat(block.diffuse[lane]),
             specular: s.splat(block.specular[lane]),
             shininess: s.splat(block.shininess[lane]),
@@ -287,10 +263,10 @@ fn add_light<S: Simd>(
 mod tests {
     use super::*;
     use crate::accel::simd::Instructions;
-    use vitrine_math::hash;
+    use vitrine_math::{Vec3, hash};
     use vitrine_optics::phong_light;
 
-    struct Phong<'a>(&'a LitBlock, Vec3);
+    struct Phong<'a>(&'a LitBlock, &'a SurfaceBlock, Vec3);
 
     impl Kernel for Phong<'_> {
         type Output = (Column, Column);
@@ -299,8 +275,8 @@ mod tests {
         fn run<S: Simd>(self, s: S) -> (Column, Column) {
             let (mut scattered, mut highlight) = ([0.0; BLOCK], [0.0; BLOCK]);
             for start in (0..BLOCK).step_by(S::LANES) {
-                let wi = splat3(s, self.1.into());
-                let (seen, d, h) = SurfaceLanes::load(s, self.0, start).phong(s, &wi);
+                let wi = splat3(s, self.2.into());
+                let (seen, d, h) = SurfaceLanes::load(s, self.0, self.1, start).phong(s, &wi);
                 s.store(s.select(seen, d, s.splat(0.0)), &mut scattered[start..]);
                 s.store(s.select(seen, h, s.splat(0.0)), &mut highlight[start..]);
             }
@@ -315,27 +291,31 @@ mod tests {
         let vector = |i: u32| Vec3::new(number(3 * i), number(3 * i + 1), number(3 * i + 2)).normalize();
         for round in 0..50 {
             let mut queue = LightQueue::default();
-            let lit: Vec<Lit> = (0..16)
-                .map(|i| {
-                    let i = round * 100 + i;
-                    let n = vector(2 * i);
-                    let phong = PhongSurface {
-                        color: Rgb::WHITE,
-                        diffuse: number(i).abs(),
-                        specular: if i % 3 == 0 { 0.0 } else { number(i + 7).abs() },
-                        shininess: 1.0 + 50.0 * number(i + 9).abs(),
-                    };
-                    let wo = vector(2 * i + 1);
-                    let wo = if wo.dot(n) < 0.0 { -wo } else { wo };
-                    Lit { p: Vec3::ZERO, n, ns: n, wo, phong, pixel: 0, weight: 1.0 }
-                })
-                .collect();
-            lit.iter().for_each(|l| queue.push(l));
+            queue.reset(BLOCK);
+            let mut surfaces = SurfaceBlock::EMPTY;
+            let mut all = Vec::new();
+            for lane in 0..BLOCK {
+                let i = round * 100 + lane as u32;
+                let phong = PhongSurface {
+                    color: Rgb::WHITE,
+                    diffuse: number(i).abs(),
+                    specular: if i.is_multiple_of(3) { 0.0 } else { number(i + 7).abs() },
+                    shininess: 1.0 + 50.0 * number(i + 9).abs(),
+                };
+                let (n, wo) = (vector(2 * i), vector(2 * i + 1));
+                let wo = if wo.dot(n) < 0.0 { -wo } else { wo };
+                queue.put(lane, &Lit { phong, pixel: 0, weight: 1.0 }, Rgb::BLACK);
+                for k in 0..3 {
+                    (surfaces.n[k][lane], surfaces.ns[k][lane]) = (n[k], n[k]);
+                    surfaces.wo[k][lane] = wo[k];
+                }
+                all.push((phong, n, wo));
+            }
             let wi = vector(77_777 + round);
             for set in Instructions::available() {
-                let (scattered, highlight) = set.run(Phong(&queue.blocks[0], wi));
-                for (i, l) in lit.iter().enumerate() {
-                    let (d, h) = phong_light(&l.phong, l.ns, wi, l.wo);
+                let (scattered, highlight) = set.run(Phong(&queue.blocks[0], &surfaces, wi));
+                for (i, (phong, n, wo)) in all.iter().enumerate() {
+                    let (d, h) = phong_light(phong, *n, wi, *wo);
                     assert!((scattered[i] - d).abs() < 1e-6, "{set:?}: {} against {d}", scattered[i]);
                     assert!((highlight[i] - h).abs() < 2e-5, "{set:?}: {} against {h}", highlight[i]);
                 }

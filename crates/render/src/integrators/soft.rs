@@ -2,7 +2,7 @@
 //! (course work, section 2.6.1).
 
 use super::TileTask;
-use super::light::{LitBlock, SurfaceLanes, towards};
+use super::light::{LitBlock, SurfaceLanes, WaveLight, towards};
 use crate::accel::packet::sub3;
 use crate::accel::simd::{Kernel, Simd};
 use crate::accel::{BLOCK, Column, Packet};
@@ -14,9 +14,7 @@ const ROUND: u32 = BLOCK as u32;
 
 /// A disc lamp and the surfaces in its light.
 pub struct SoftLight<'a> {
-    pub task: &'a TileTask<'a>,
-    /// Which sample of the pixels.
-    pub sample: u32,
+    pub wave: &'a WaveLight<'a>,
     /// Which of the scene's lights.
     pub index: u32,
     /// Intensity times colour.
@@ -33,9 +31,12 @@ impl Kernel for SoftLight<'_> {
     fn run<S: Simd>(mut self, s: S) -> u64 {
         let mut rays = 0;
         let blocks = std::mem::take(&mut self.blocks);
-        for block in blocks {
-            for lane in 0..block.len {
-                let mut surface = SoftShadow::new(SurfaceLanes::splat(s, block, lane));
+        for (block, surfaces) in blocks.iter_mut().zip(self.wave.surfaces) {
+            for lane in 0..BLOCK {
+                if block.diffuse[lane] <= 0.0 && block.specular[lane] <= 0.0 {
+                    continue;
+                }
+                let mut surface = SoftShadow::new(SurfaceLanes::splat(s, block, surfaces, lane));
                 surface.try_points(s, &self, block.pixel[lane]);
                 rays += u64::from(surface.rays);
                 let [scattered, highlight] =
@@ -72,12 +73,11 @@ impl<S: Simd> SoftShadow<S> {
     /// Tries points until the standard error is small enough or all are used.
     #[inline(always)]
     fn try_points(&mut self, s: S, light: &SoftLight, pixel: u32) {
-        let settings = &light.task.settings;
-        let tile = light.task.tile;
+        let TileTask { settings, tile, .. } = light.wave.task;
         let (x, y) = (tile.x + pixel % tile.width, tile.y + pixel / tile.width);
         let sampler = SquareSampler::new(y * settings.size[0] + x, light.index, settings.seed);
         // Whole rounds for each sample, so that every round is stratified.
-        let first = light.sample.wrapping_mul(settings.shadow_points.next_multiple_of(ROUND));
+        let first = light.wave.sample.wrapping_mul(settings.shadow_points.next_multiple_of(ROUND));
         while self.tried < settings.shadow_points {
             let points = sampler.round(first.wrapping_add(self.tried));
             let count = ROUND.min(settings.shadow_points - self.tried);
@@ -112,7 +112,7 @@ impl<S: Simd> SoftShadow<S> {
             self.rays += s.bits(seen).count_ones();
             let packet = Packet::new(s, self.surface.origin, wi);
             let t_max = s.select(seen, distance, s.splat(-1.0));
-            let passes = light.task.scene.accel.packet_transmittance(s, &packet, t_max);
+            let passes = light.wave.task.scene.accel.packet_transmittance(s, &packet, t_max);
             let passes = s.select(seen, passes, zero);
             s.store(passes, &mut share[start..]);
             accumulate(s, &mut self.scattered[start..], s.select(seen, scattered, zero), passes);
