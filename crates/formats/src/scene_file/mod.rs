@@ -9,6 +9,8 @@ mod outline;
 mod pairing;
 mod print;
 mod read;
+mod reference;
+mod schema;
 mod section;
 mod set;
 mod syntax;
@@ -19,6 +21,8 @@ mod wording;
 mod write;
 
 pub use finding::{Finding, SceneFileError};
+pub use reference::reference_markdown;
+pub use schema::schema;
 pub use set::{SetError, set, split_values};
 pub use write::print_new;
 

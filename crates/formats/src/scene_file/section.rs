@@ -10,10 +10,17 @@ pub(super) const FORMAT: i64 = 1;
 pub(super) const FORMAT_KEY: &str = "format";
 /// The key of the line on what the scene shows.
 pub(super) const ABOUT_KEY: &str = "about";
+/// What that line is.
+pub(super) const ABOUT_DOC: &str = "What the scene shows, in one line.";
+/// What the version is.
+pub(super) const FORMAT_DOC: &str = "The version of the file's format.";
 /// The section on how the picture is made.
 pub(super) const SETTINGS: &str = "settings";
 /// The section on the camera.
 pub(super) const CAMERA: &str = "camera";
+/// What a name is.
+pub(super) const NAME_DOC: &str =
+    "Its name, which no other entry of the list has. Other entries refer to it.";
 /// The key of an entry's name.
 pub(super) const NAME_KEY: &str = "name";
 
@@ -46,6 +53,8 @@ pub(super) struct Section {
     pub word: &'static str,
     /// The list; None for a section that stands once.
     pub list: Option<ListName>,
+    /// What it is, or its entries are, in plain English.
+    pub doc: &'static str,
     /// The parameters, without a kind's own.
     pub specs: &'static [ParamSpec],
     /// The kinds, where there are any.
@@ -53,22 +62,22 @@ pub(super) struct Section {
 }
 
 impl Section {
-    pub const SETTINGS: Self = Self::single(SETTINGS, Settings::SPECS);
-    pub const CAMERA: Self = Self::single(CAMERA, Camera::SPECS);
+    pub const SETTINGS: Self = Self::single(SETTINGS, Settings::DOC, Settings::SPECS);
+    pub const CAMERA: Self = Self::single(CAMERA, Camera::DOC, Camera::SPECS);
 
     /// All of them in the order of a file.
     pub fn all() -> impl Iterator<Item = Self> {
         [Self::SETTINGS, Self::CAMERA].into_iter().chain(ListName::ALL.map(Self::of_list))
     }
 
-    const fn single(word: &'static str, specs: &'static [ParamSpec]) -> Self {
-        Self { word, list: None, specs, kinds: None }
+    const fn single(word: &'static str, doc: &'static str, specs: &'static [ParamSpec]) -> Self {
+        Self { word, list: None, doc, specs, kinds: None }
     }
 
     /// The list that holds such items.
     pub fn of<T: Item>() -> Self {
         let kinds = T::KINDS.map(|(key, all)| Kinds { key, all });
-        Self { word: T::LIST.key(), list: Some(T::LIST), specs: T::OWN_SPECS, kinds }
+        Self { word: T::LIST.key(), list: Some(T::LIST), doc: T::ABOUT, specs: T::OWN_SPECS, kinds }
     }
 
     /// A list.
@@ -106,4 +115,9 @@ impl Section {
     pub fn knows(&self, key: &str) -> bool {
         self.keys(None).contains(&key) || !self.kinds_with(key).is_empty()
     }
+}
+
+/// A description on one line.
+pub(super) fn one_line(doc: &str) -> String {
+    doc.split_whitespace().collect::<Vec<_>>().join(" ")
 }

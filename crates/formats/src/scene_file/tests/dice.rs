@@ -191,6 +191,16 @@ impl Dice {
         mend(scene)
     }
 
+    /// A scene with entries of every kind.
+    pub fn scene_with_all(&mut self) -> Scene {
+        let mut scene = Scene::default();
+        for list in ListName::ALL {
+            // Enough that no kind is left out by chance.
+            (0..60).for_each(|_| self.add(&mut scene, list));
+        }
+        mend(scene)
+    }
+
     /// The scene after a few changes of every sort.
     pub fn changed(&mut self, scene: &Scene) -> Scene {
         let mut scene = scene.clone();
