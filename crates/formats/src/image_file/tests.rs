@@ -161,10 +161,7 @@ fn jpeg_is_near_and_has_its_texts() {
     assert_eq!((read.width(), read.height()), (40, 24));
     let wanted = ViewTransform::Srgb.to_u8(&image);
     assert!(read.iter().zip(&wanted).all(|(a, b)| a.abs_diff(*b) <= 3));
-    for text in ["Software: Vitrine 1", "Description: Стеклянный шар line 2", "vitrine:seed: 7"]
-    {
-        assert!(contains(&file, text), "{text}");
-    }
+    assert!(contains(&file, "Software: Vitrine 1\nDescription: Стеклянный шар line 2\nvitrine:seed: 7"));
     let small =
         encode(format("jpeg"), &ramps([40, 24]), &WriteOptions { jpeg_quality: 10, ..with_metadata() });
     let large =
