@@ -47,7 +47,13 @@ pub fn parse(bytes: &[u8], path: &Path) -> Result<(Vec<MeshMaterial>, Vec<String
             warnings.push(format!("line {}: {warning}: {}", lines.number(), path.display()));
         }
     }
-    Ok((entries.into_iter().map(Entry::into_material).collect(), warnings))
+    let materials: Vec<_> = entries.into_iter().map(Entry::into_material).collect();
+    let unseen = materials.iter().map(|m| &m.material).filter(|m| m.transparency >= Some(1.0));
+    warnings.extend(unseen.take(MAX_WARNINGS).map(|m| {
+        let name = quote(&m.name);
+        format!("material {name} is wholly transparent, d 0 or Tr 1; was that meant?: {}", path.display())
+    }));
+    Ok((materials, warnings))
 }
 
 /// One material as the file states it.
@@ -201,11 +207,21 @@ mod tests {
 
     #[test]
     fn numbers_out_of_range_are_brought_into_it() {
-        let m = one("newmtl m\nKd -1 2 0.5\nKs 9\nNs 0\nd -3\nNi 99\nillum 4").material;
+        let m = one("newmtl m\nKd -1 2 0.5\nKs 9\nNs 0\nd 3\nNi 99\nillum 4").material;
         assert_eq!(m.color, Some(Rgb::new(0.0, 1.0, 0.5)));
-        assert_eq!((m.specular, m.shininess, m.transparency), (Some(1.0), Some(1.0), Some(1.0)));
+        assert_eq!((m.specular, m.shininess, m.transparency), (Some(1.0), Some(1.0), Some(0.0)));
         assert_eq!(m.refraction, Some(4.0));
         assert_eq!(one("newmtl m\nNs 1e30").material.shininess, Some(10_000.0));
+    }
+
+    #[test]
+    fn what_nobody_would_see_is_a_warning() {
+        for line in ["d 0", "Tr 1", "Tr 7"] {
+            let (materials, warnings) =
+                parse(format!("newmtl m\n{line}").as_bytes(), Path::new("a.mtl")).unwrap();
+            assert_eq!(materials[0].material.transparency, Some(1.0));
+            assert!(warnings[0].starts_with("material `m` is wholly transparent"), "{warnings:?}");
+        }
     }
 
     #[test]

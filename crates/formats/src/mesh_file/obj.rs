@@ -85,7 +85,7 @@ impl Model {
             "o" | "g" => self.name = rest.trim_ascii().to_owned(),
             "usemtl" => self.use_material(rest.trim_ascii()),
             "mtllib" => {
-                let name = rest.trim_ascii().to_owned();
+                let name = rest.trim_ascii().trim_matches('"').to_owned();
                 if !self.libraries.contains(&name) {
                     self.libraries.push(name);
                 }

@@ -90,7 +90,7 @@ fn libraries_in_folders_with_spaces_and_several_in_one_line() {
     write(
         "m.obj",
         &format!(
-            "mtllib two words.mtl\nmtllib sub\\b.mtl c.mtl\n{TRIANGLE}\
+            "mtllib \"two words.mtl\"\nmtllib two words.mtl\nmtllib sub\\b.mtl c.mtl\n{TRIANGLE}\
              usemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\nusemtl c\nf 1 2 3\n"
         ),
     );
