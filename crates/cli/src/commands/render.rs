@@ -1,0 +1,184 @@
+//! `vitrine render`: a scene file to a picture.
+
+use crate::events::Events;
+use crate::failure::{Exit, Failure};
+use crate::flags::{PictureFlags, SettingFlags, ThreadFlag};
+use crate::picture::{self, Made};
+use crate::progress::Bar;
+use crate::report::Report;
+use crate::{console, interrupt, output, report, stopwatch, values};
+use clap::Args;
+use serde_json::json;
+use std::path::{Path, PathBuf};
+use vitrine::{Project, Region, RenderOptions, WriteOptions, formats};
+
+/// Make the picture of a scene
+///
+/// The picture's extension says how it is stored: .png, .jpg, .exr (OpenEXR, linear light) or .hdr (Radiance, linear
+/// light). Ctrl-C stops and keeps the picture so far; a second Ctrl-C quits at once.
+#[derive(Args, Debug)]
+#[command(after_help = "Examples:\n  \
+    vitrine render ball.vitrine.toml\n  \
+    vitrine render ball.vitrine.toml -o ball.jpg --size 1920x1080 --samples 16\n  \
+    vitrine render ball.vitrine.toml --set object.ball.material.transparency=0.4\n  \
+    vitrine render ball.vitrine.toml -o part.png --region 100,50,400,300 --threads 1\n  \
+    vitrine render ball.vitrine.toml --json | tail -1")]
+pub struct Render {
+    /// The scene file, NAME.vitrine.toml
+    scene: PathBuf,
+
+    /// Where the picture goes; without it, beside the scene as NAME.png
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+
+    /// Only this part of the picture, in pixels from its upper left corner
+    #[arg(long, value_name = "X,Y,W,H", value_parser = values::region, allow_hyphen_values = true)]
+    region: Option<Region>,
+
+    #[command(flatten)]
+    threads: ThreadFlag,
+
+    #[command(flatten)]
+    picture: PictureFlags,
+
+    /// Report to programs: lines of JSON on stdout
+    #[arg(long)]
+    pub json: bool,
+
+    /// No progress bar, no warnings, no last line; errors are still shown
+    #[arg(short, long)]
+    quiet: bool,
+
+    #[command(flatten)]
+    settings: SettingFlags,
+}
+
+impl Render {
+    /// Runs the command.
+    pub fn run(self) -> Result<Exit, Failure> {
+        let cancel = interrupt::cancel_on_interrupt()?;
+        if let Some(path) = &self.output {
+            output::check_picture(path)?;
+        }
+        let mut project = vitrine::load(&self.scene)?;
+        self.settings.apply(&mut project)?;
+        picture::check_region(&project, self.region)?;
+        let path = match &self.output {
+            Some(path) => path.clone(),
+            None => output::beside(&project, ".png"),
+        };
+        output::check_picture(&path)?;
+        let settings = project.scene.settings.clone();
+        let write_options =
+            WriteOptions { metadata: project.metadata(&settings), ..self.picture.options(&path)? };
+
+        let mut events = Events::new(self.json);
+        self.send_start(&events, &project, &path);
+        self.show_warnings(&events, &project);
+
+        let bar = Bar::new("Preparing", self.quiet || self.json);
+        let compiled = picture::compile(&project)?;
+        let options = RenderOptions { settings, region: self.region };
+        bar.name("Rendering");
+        let made = picture::make(&compiled, options, self.threads.count(), &cancel, &mut |progress| {
+            bar.show(progress);
+            events.progress(progress);
+        })?;
+        drop(bar);
+
+        let is_saved = made.rendered.film.samples() > 0;
+        if is_saved {
+            save(&path, &made, write_options)?;
+        }
+        self.send_done(&events, &project, is_saved.then_some(&path), &made);
+        self.say_done(is_saved.then_some(&path), &made)?;
+        Ok(if made.rendered.is_complete { Exit::Done } else { Exit::Interrupted })
+    }
+
+    fn show_warnings(&self, events: &Events, project: &Project) {
+        let warnings = Report::warnings_of(project);
+        for warning in &warnings {
+            let mut event = warning.to_json();
+            event["event"] = "warning".into();
+            events.send(&event);
+        }
+        if !self.quiet {
+            report::show(&warnings);
+        }
+    }
+
+    fn send_start(&self, events: &Events, project: &Project, path: &Path) {
+        if !events.is_on() {
+            return;
+        }
+        let settings = &project.scene.settings;
+        let region = self.region.unwrap_or(Region::whole(settings.size));
+        events.send(&json!({
+            "event": "start",
+            "version": vitrine::VERSION,
+            "scene": project.path(),
+            "scene_hash": project.hash().to_string(),
+            "output": path,
+            "renderer": settings.renderer.word(),
+            "width": settings.size[0],
+            "height": settings.size[1],
+            "region": [region.x, region.y, region.width, region.height],
+            "samples_per_pixel": settings.samples,
+            "depth": settings.depth,
+            "seed": settings.seed,
+            "threads": self.threads.count(),
+        }));
+    }
+
+    fn send_done(&self, events: &Events, project: &Project, path: Option<&PathBuf>, made: &Made) {
+        if !events.is_on() {
+            return;
+        }
+        let region = made.rendered.film.region();
+        events.send(&json!({
+            "event": "done",
+            "output": path,
+            "complete": made.rendered.is_complete,
+            "width": region.width,
+            "height": region.height,
+            "threads": self.threads.count(),
+            "samples_per_pixel": project.scene.settings.samples,
+            "samples": made.rendered.film.samples(),
+            "rays": made.rendered.rays,
+            "render_seconds": made.elapsed.wall.as_secs_f64(),
+            "cpu_seconds": made.elapsed.cpu.as_secs_f64(),
+            "scene_hash": project.hash().to_string(),
+        }));
+    }
+
+    fn say_done(&self, path: Option<&PathBuf>, made: &Made) -> Result<(), Failure> {
+        let Some(path) = path else {
+            console::tell(picture::NOTHING_YET);
+            return Ok(());
+        };
+        if !made.rendered.is_complete {
+            console::tell(&format!("Interrupted: the picture so far is in {}", path.display()));
+            return Ok(());
+        }
+        if self.quiet || self.json {
+            return Ok(());
+        }
+        let region = made.rendered.film.region();
+        console::print(format!(
+            "{}: {} × {} pixels in {} ({} rays)\n",
+            path.display(),
+            region.width,
+            region.height,
+            stopwatch::words(made.elapsed.wall),
+            console::thousands(made.rendered.rays),
+        ))
+    }
+}
+
+fn save(path: &Path, made: &Made, mut options: WriteOptions) -> Result<(), Failure> {
+    if !made.rendered.is_complete {
+        options.metadata.push(("vitrine:complete".into(), "false".into()));
+    }
+    formats::write_image(path, &made.rendered.film.image(), &options)?;
+    Ok(())
+}

@@ -1,0 +1,81 @@
+//! Scenes to begin with, carried inside the program: the experiments of the course work and an empty ground.
+//!
+//! A new template is a scene file under `scenes/` and one line in [`TEMPLATES`].
+
+use crate::{Error, formats};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// A scene that the program carries, with the files it needs.
+#[derive(Clone, Copy, Debug)]
+pub struct Template {
+    /// Its name: "two-mirror-spheres".
+    pub name: &'static str,
+    /// The text of its scene file.
+    pub text: &'static str,
+    /// Models and pictures: the path as the scene writes it, and the bytes.
+    pub assets: &'static [(&'static str, &'static [u8])],
+}
+
+macro_rules! template {
+    ($folder:literal, $name:literal $(, $asset:literal)*) => {
+        Template {
+            name: $name,
+            text: include_str!(concat!("../../../scenes/", $folder, $name, ".vitrine.toml")),
+            assets: &[$(($asset, include_bytes!(concat!("../../../scenes/", $folder, $asset))),)*],
+        }
+    };
+}
+
+/// The register of templates: the folder under `scenes/`, the name, the files that the scene needs.
+pub const TEMPLATES: &[Template] = &[template!("", "empty")];
+
+/// What to do with a file that is there already and differs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Existing {
+    /// Leave everything as it is and return an error.
+    Keep,
+    /// Replace it.
+    Replace,
+}
+
+impl Template {
+    /// The template of that name.
+    #[must_use]
+    pub fn find(name: &str) -> Option<&'static Self> {
+        TEMPLATES.iter().find(|t| t.name == name)
+    }
+
+    /// What it shows, in one line.
+    #[must_use]
+    pub fn about(&self) -> String {
+        let path = PathBuf::from(format!("{}.vitrine.toml", self.name));
+        formats::SceneFile::parse(&path, self.text).map(|file| file.scene().about.clone()).unwrap_or_default()
+    }
+
+    /// Writes the scene as `file` and its models and pictures into the folders beside it. Files that are there and the
+    /// same already are left alone. Returns what has been written, the scene last.
+    ///
+    /// # Errors
+    /// When a file with other content is in the way and `existing` says to keep it (then nothing has been written), or
+    /// when a file cannot be written.
+    pub fn write(&self, file: &Path, existing: Existing) -> Result<Vec<PathBuf>, Error> {
+        let folder = file.parent().unwrap_or(Path::new(""));
+        let assets = self.assets.iter().map(|(path, bytes)| (folder.join(path), *bytes));
+        let mut wanted: Vec<_> = assets.chain([(file.to_owned(), self.text.as_bytes())]).collect();
+        wanted.retain(|(path, bytes)| fs::read(path).map_or(true, |there| there != *bytes));
+        if existing == Existing::Keep
+            && let Some((path, _)) = wanted.iter().find(|(path, _)| path.symlink_metadata().is_ok())
+        {
+            return Err(Error::InTheWay { path: path.clone() });
+        }
+        for (path, bytes) in &wanted {
+            if let Some(parent) = path.parent().filter(|p| *p != folder) {
+                fs::create_dir_all(parent)
+                    .map_err(|source| Error::Folder { path: parent.to_owned(), source })?;
+            }
+            formats::write_atomically(path, bytes)?;
+        }
+        Ok(wanted.into_iter().map(|(path, _)| path).collect())
+    }
+}
