@@ -6,6 +6,7 @@ mod completions;
 mod info;
 mod man;
 mod render;
+mod schema;
 mod sweep;
 mod templates;
 
@@ -44,6 +45,7 @@ enum Command {
     Sweep(Box<sweep::Sweep>),
     Bench(Box<bench::Bench>),
     Templates(templates::Templates),
+    Schema(schema::Schema),
     Completions(completions::Completions),
     Man(man::Man),
 }
@@ -57,6 +59,7 @@ impl Command {
             Self::Sweep(command) => command.run(),
             Self::Bench(command) => command.run(),
             Self::Templates(command) => command.run(),
+            Self::Schema(command) => command.run(),
             Self::Completions(command) => command.run(),
             Self::Man(command) => command.run(),
         }
