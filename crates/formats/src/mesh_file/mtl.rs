@@ -51,7 +51,10 @@ pub fn parse(bytes: &[u8], path: &Path) -> Result<(Vec<MeshMaterial>, Vec<String
     let unseen = materials.iter().map(|m| &m.material).filter(|m| m.transparency >= Some(1.0));
     warnings.extend(unseen.take(MAX_WARNINGS).map(|m| {
         let name = quote(&m.name);
-        format!("material {name} is wholly transparent, d 0 or Tr 1; was that meant?: {}", path.display())
+        format!(
+            "material {name} is wholly transparent (d 0 or Tr 1), so it will not show: {}",
+            path.display()
+        )
     }));
     Ok((materials, warnings))
 }

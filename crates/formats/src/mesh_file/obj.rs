@@ -20,7 +20,9 @@ pub const FORMAT: MeshFormat = MeshFormat { name: "Wavefront OBJ", extensions: &
 const MAX_FILE: u64 = 2 << 30;
 /// The most corners of a polygon. To cut one takes time that can grow with the square of it.
 const MAX_CORNERS: usize = 1 << 14;
-/// The most names that one warning lists.
+/// The most libraries, so that a file cannot keep us busy with names.
+const MAX_LIBRARIES: usize = 100;
+/// The most names that one warning lists, and the most libraries that are reported.
 const MAX_NAMES: usize = 5;
 
 /// Where material libraries come from: the bytes of the file with that name, relative to the model's folder.
@@ -86,7 +88,7 @@ impl Model {
             "usemtl" => self.use_material(rest.trim_ascii()),
             "mtllib" => {
                 let name = rest.trim_ascii().trim_matches('"').to_owned();
-                if !self.libraries.contains(&name) {
+                if self.libraries.len() < MAX_LIBRARIES && !self.libraries.contains(&name) {
                     self.libraries.push(name);
                 }
                 return Ok(());
@@ -262,11 +264,14 @@ fn read_libraries(
         // One name, which may hold spaces, or several names.
         let Err(fault) = read(name) else { continue };
         match name.split_once(char::is_whitespace) {
-            Some(_) => faults.extend(name.split_whitespace().filter_map(|n| read(n).err())),
+            Some(_) => {
+                let names = name.split_whitespace().take(MAX_LIBRARIES);
+                faults.extend(names.filter_map(|n| read(n).err()));
+            }
             None => faults.push(fault),
         }
     }
-    warnings.extend(faults.iter().map(|f| format!("the model's materials are missing, {f}")));
+    warnings.extend(faults.iter().take(MAX_NAMES).map(|f| format!("the model's materials are missing, {f}")));
     found
 }
 

@@ -115,6 +115,20 @@ fn missing_and_broken_libraries_are_warnings() {
 }
 
 #[test]
+fn endless_lists_of_libraries_end() {
+    let many: String = (0..3000).map(|i| format!("mtllib {i} {}\n", "x ".repeat(500))).collect();
+    let mut asked = 0;
+    let library = |name: &str| {
+        asked += 1;
+        Err(FormatError::Missing { path: name.into() })
+    };
+    let text = format!("{many}{TRIANGLE}f 1 2 3\n");
+    let (_, warnings) = parse(text.as_bytes(), Path::new("a.obj"), &mut { library }).unwrap();
+    assert_eq!(warnings.len(), MAX_NAMES);
+    assert!(asked <= MAX_LIBRARIES * (MAX_LIBRARIES + 1), "{asked}");
+}
+
+#[test]
 fn a_concave_polygon_is_cut_right() {
     let m = mesh("v 0 0 0\nv 4 -2 0\nv 2 0 0\nv 4 2 0\nv 0 3 0\nf 1 2 3 4 5\n");
     let area: f64 = m
