@@ -1,0 +1,70 @@
+//! `vitrine bench threads`: that it measures and reports, not how fast.
+
+use crate::support::Folder;
+
+/// C18.
+#[test]
+fn a_row_for_each_number_of_threads_a_file_and_a_plot() {
+    let folder = Folder::with_scene();
+    let outcome = folder.run_well(&[
+        "bench",
+        "threads",
+        "scene.vitrine.toml",
+        "--threads",
+        "3,1,2",
+        "--repeats",
+        "2",
+        "--csv",
+        "t.csv",
+        "--plot",
+        "t.svg",
+    ]);
+    let rows: Vec<Vec<&str>> = outcome.out.lines().map(|l| l.split_whitespace().collect()).collect();
+    let head = rows.iter().position(|r| r.first() == Some(&"Threads")).expect("the table has a head");
+    let threads: Vec<_> = rows[head + 1..].iter().map(|r| r[0]).collect();
+    assert_eq!(threads, ["1", "2", "3"], "{}", outcome.out);
+
+    let csv = String::from_utf8(folder.read("t.csv")).unwrap();
+    let lines: Vec<_> = csv.lines().collect();
+    assert_eq!((lines.len(), lines[0]), (4, "threads,wall_seconds,cpu_seconds,speed_up"));
+    assert!(lines[1].starts_with("1,") && lines[1].ends_with(",1.0000"), "{csv}");
+    for cell in lines[1..].iter().flat_map(|l| l.split(',')) {
+        assert!(cell.parse::<f64>().is_ok_and(|v| v >= 0.0), "{csv}");
+    }
+
+    let svg = String::from_utf8(folder.read("t.svg")).unwrap();
+    for word in ["<svg", "Number of threads", "Time, s", "Ideal on", "</svg>"] {
+        assert!(svg.contains(word), "no {word}");
+    }
+}
+
+#[test]
+fn a_plot_as_a_picture() {
+    let folder = Folder::with_scene();
+    folder.run_well(&[
+        "bench",
+        "threads",
+        "scene.vitrine.toml",
+        "--threads",
+        "1,2",
+        "--repeats",
+        "1",
+        "--plot",
+        "t.png",
+    ]);
+    let plot = folder.picture("t.png");
+    assert_eq!(plot.size, [960, 600]);
+    assert!(plot.texels.iter().any(|[r, _, b]| *b > 120 && *r < 80), "the measured line is blue");
+}
+
+#[test]
+fn wrong_lists_and_places_are_told_before_measuring() {
+    let folder = Folder::with_scene();
+    let bench = |more: &[&str]| folder.run(&[&["bench", "threads", "scene.vitrine.toml"], more].concat());
+    bench(&["--threads", "1,0"]).fails(2, &["1 to 1024"]);
+    bench(&["--threads", "many"]).fails(2, &["1 to 1024"]);
+    bench(&["--repeats", "0"]).fails(2, &["repeats"]);
+    bench(&["--plot", "t.gif"]).fails(2, &[".svg or .png"]);
+    bench(&["--csv", "missing/t.csv"]).fails(1, &["no such folder: missing"]);
+    assert_eq!(folder.names(), ["scene.vitrine.toml"]);
+}

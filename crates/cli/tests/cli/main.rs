@@ -1,0 +1,11 @@
+//! The built program, run as a person or a script runs it.
+
+mod bad_input;
+mod bench;
+mod help;
+mod inspect;
+mod interrupt;
+mod render;
+mod support;
+mod sweep;
+mod templates;
