@@ -8,19 +8,19 @@ use vitrine::Progress;
 pub struct Bar(ProgressBar);
 
 impl Bar {
-    /// A bar with a word before it; hidden when `quiet` or when stderr is no terminal.
-    pub fn new(label: impl Into<String>, quiet: bool) -> Self {
+    /// The word "Preparing", and no bar yet; hidden when `quiet` or when stderr is no terminal.
+    pub fn new(quiet: bool) -> Self {
         let target = if quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
         let bar = ProgressBar::with_draw_target(None, target);
-        let style = ProgressStyle::with_template("{msg} {bar:30} {percent:>3} %, {elapsed} gone, {eta} left")
-            .expect("the template is right");
-        bar.set_style(style.progress_chars("█▓░"));
-        bar.set_message(label.into());
+        bar.set_style(style("{msg}"));
+        bar.set_message("Preparing…");
         Self(bar)
     }
 
-    /// Changes the word before the bar.
-    pub fn name(&self, label: impl Into<String>) {
+    /// From now on a bar with this word before it; its clock starts.
+    pub fn begin(&self, label: impl Into<String>) {
+        self.0.reset_elapsed();
+        self.0.set_style(style("{msg} {bar:30} {percent:>3} %, {elapsed} gone, {eta} left"));
         self.0.set_message(label.into());
     }
 
@@ -29,6 +29,10 @@ impl Bar {
         self.0.set_length(progress.samples_total);
         self.0.set_position(progress.samples_done);
     }
+}
+
+fn style(template: &str) -> ProgressStyle {
+    ProgressStyle::with_template(template).expect("the template is right").progress_chars("█▓░")
 }
 
 impl Drop for Bar {

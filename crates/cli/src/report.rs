@@ -149,7 +149,9 @@ pub fn show(reports: &[Report]) {
     };
     let mut text = String::new();
     for report in reports {
-        text.push_str(&format!("{:?}\n", Shown { report, handler: &handler }));
+        let drawn = format!("{:?}\n", Shown { report, handler: &handler });
+        // The handler indents the first line by two; a log reads better without.
+        text.push_str(drawn.trim_start_matches(' '));
     }
     // Nobody is left to tell when stderr itself fails.
     let _ = std::io::stderr().lock().write_all(text.as_bytes());

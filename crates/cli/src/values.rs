@@ -3,7 +3,7 @@
 use vitrine::Region;
 use vitrine::formats::BitDepth;
 use vitrine::scene::params::Value;
-use vitrine::scene::{Cause, ParamSpec, Settings};
+use vitrine::scene::{Cause, ParamKind, ParamSpec, Settings};
 
 /// More threads than this help nobody.
 const MOST_THREADS: usize = 1024;
@@ -38,7 +38,8 @@ pub fn seed(text: &str) -> Result<u32, String> {
 /// "809x817", with x, X or ×.
 pub fn size(text: &str) -> Result<[u32; 2], String> {
     let spec = setting("size");
-    let wrong = || format!("it takes WIDTHxHEIGHT such as 1920x1080, {}", spec.allowed());
+    let ParamKind::Size { min, max } = spec.kind else { unreachable!("the size is a size") };
+    let wrong = || format!("it takes WIDTHxHEIGHT such as 1920x1080, each from {min} to {max}");
     let (width, height) = text.split_once(['x', 'X', '×']).ok_or_else(wrong)?;
     let parse = |text: &str| text.trim().parse::<i64>().map_err(|_| wrong());
     let (width, height) = (parse(width)?, parse(height)?);

@@ -148,3 +148,81 @@ fn files_of(scene: &Scene) -> Vec<&Path> {
     let pictures = scene.textures.iter().filter_map(|t| t.source.as_kind().file());
     models.chain(pictures).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::fs;
+    use tempfile::TempDir;
+
+    const SCENE: &str = "format = 1 # the only one\n\n[settings]\nsize = [8, 8]\n\n[[light]]\nname = \"lamp\"\nkind = \"point\"\n\n\
+                         [[object]]\nname = \"ball\"\nshape = \"sphere\"\n";
+
+    fn project(name: &str, text: &str) -> (TempDir, Project) {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join(name);
+        fs::write(&path, text).unwrap();
+        (folder, load(path).unwrap())
+    }
+
+    #[test]
+    fn names_have_no_endings() {
+        for (file, name) in
+            [("a.vitrine.toml", "a"), ("b.toml", "b"), ("c.d.vitrine.toml", "c.d"), ("e", "e")]
+        {
+            assert_eq!(project(file, SCENE).1.name(), name);
+        }
+    }
+
+    #[test]
+    fn the_hash_is_that_of_the_text_and_follows_the_changes() {
+        let (_folder, mut project) = project("a.vitrine.toml", SCENE);
+        let before = project.hash();
+        assert_eq!(before, SceneHash::of(SCENE));
+        project.set(&["object.ball.radius=2"]).unwrap();
+        assert_ne!(project.hash(), before);
+        assert!(project.text().contains("# the only one"), "remarks stay: {}", project.text());
+    }
+
+    #[test]
+    fn a_refused_assignment_changes_nothing() {
+        let (_folder, mut project) = project("a.vitrine.toml", SCENE);
+        let before = project.scene.clone();
+        let error = project.set(&["object.ball.radius=2", "object.ball.radius=-2"]).unwrap_err();
+        assert!(
+            matches!(&error, Error::Set { argument, .. } if argument == "object.ball.radius=-2"),
+            "{error}"
+        );
+        assert_eq!(project.scene, before);
+    }
+
+    #[test]
+    fn warnings_follow_the_changes() {
+        let (_folder, mut project) = project("a.vitrine.toml", SCENE);
+        assert!(project.warnings().is_empty(), "{:?}", project.warnings());
+        project.set(&["light.lamp.visible=false"]).unwrap();
+        assert_eq!(project.warnings().len(), 1);
+        project.set(&["light.lamp.visible=true"]).unwrap();
+        assert!(project.warnings().is_empty());
+    }
+
+    #[test]
+    fn another_model_is_loaded_when_it_is_set() {
+        let folder = tempfile::tempdir().unwrap();
+        let triangles = |n: usize| format!("v 0 0 0\nv 1 0 0\nv 0 1 0\n{}", "f 1 2 3\n".repeat(n));
+        fs::write(folder.path().join("one.obj"), triangles(1)).unwrap();
+        fs::write(folder.path().join("two.obj"), triangles(2)).unwrap();
+        let path = folder.path().join("a.vitrine.toml");
+        fs::write(
+            &path,
+            format!("{SCENE}\n[[object]]\nname = \"m\"\nshape = \"mesh\"\nfile = \"one.obj\"\n"),
+        )
+        .unwrap();
+        let mut project = load(&path).unwrap();
+        project.set(&["object.m.file=two.obj"]).unwrap();
+        assert_eq!(project.assets.meshes[Path::new("two.obj")].triangles.len(), 2);
+        let missing = project.set(&["object.m.file=three.obj"]).unwrap_err();
+        assert!(missing.to_string().contains("three.obj"), "{missing}");
+        assert_eq!(project.assets.meshes[Path::new("two.obj")].triangles.len(), 2, "as it was");
+    }
+}

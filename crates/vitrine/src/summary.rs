@@ -128,3 +128,37 @@ fn slow_parts(scene: &Scene, triangles: usize) -> Vec<String> {
 pub fn plural(count: u64, noun: &str) -> String {
     format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::lights::Disc;
+    use crate::scene::{Light, Material, Object};
+
+    #[test]
+    fn kinds_are_counted_in_the_order_of_the_register() {
+        let counts = count(Shape::KINDS, ["plane", "sphere", "plane"].into_iter());
+        assert_eq!(counts, [("sphere", 1), ("plane", 2)]);
+    }
+
+    #[test]
+    fn slow_parts_are_named_and_a_light_scene_has_none() {
+        let disc = Light { source: LightSource::Disc(Disc::default()), ..Light::default() };
+        let mirror = Material { reflectivity: Some(0.5), ..Material::default() };
+        let mut scene = Scene {
+            lights: vec![disc.clone(), disc],
+            materials: vec![mirror],
+            objects: vec![Object::default()],
+            ..Scene::default()
+        };
+        scene.settings.shadow_points = 16;
+        assert_eq!(slow_parts(&scene, 1000), [""; 0]);
+        scene.settings = Settings { samples: 4, shadow_points: 64, depth: 12, ..scene.settings };
+        let slow = slow_parts(&scene, 3_000_000);
+        assert!(
+            slow[0].contains("64 shadow points × 2 disc lamps × 4 samples = up to 512 shadow rays"),
+            "{slow:?}"
+        );
+        assert!(slow[1].contains("depth 12") && slow[2].contains("3.0 million triangles"), "{slow:?}");
+    }
+}

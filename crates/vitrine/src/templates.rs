@@ -79,3 +79,49 @@ impl Template {
         Ok(wanted.into_iter().map(|(path, _)| path).collect())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const WITH_MODEL: Template = Template {
+        name: "t",
+        text: "format = 1\nabout = \"a test\"\n",
+        assets: &[("models/a.obj", b"v 0 0 0\n"), ("textures/b.png", b"png")],
+    };
+
+    #[test]
+    fn names_are_unique_and_everyone_says_what_it_shows() {
+        for (i, template) in TEMPLATES.iter().enumerate() {
+            assert!(TEMPLATES[..i].iter().all(|t| t.name != template.name), "{} twice", template.name);
+            assert!(!template.about().is_empty(), "{}", template.name);
+            assert_eq!(Template::find(template.name).map(|t| t.text), Some(template.text));
+        }
+        assert_eq!(WITH_MODEL.about(), "a test");
+    }
+
+    #[test]
+    fn what_a_scene_needs_is_written_beside_it() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("mine.vitrine.toml");
+        let written = WITH_MODEL.write(&file, Existing::Keep).unwrap();
+        assert_eq!(written.len(), 3);
+        assert_eq!(written.last(), Some(&file));
+        assert_eq!(fs::read(folder.path().join("models/a.obj")).unwrap(), b"v 0 0 0\n");
+        assert!(WITH_MODEL.write(&file, Existing::Keep).unwrap().is_empty(), "all is there");
+    }
+
+    #[test]
+    fn nothing_is_written_when_one_file_is_in_the_way() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("mine.vitrine.toml");
+        let model = folder.path().join("models/a.obj");
+        fs::create_dir(folder.path().join("models")).unwrap();
+        fs::write(&model, "another").unwrap();
+        let error = WITH_MODEL.write(&file, Existing::Keep).unwrap_err();
+        assert!(matches!(&error, Error::InTheWay { path } if *path == model), "{error}");
+        assert!(!file.exists() && fs::read(&model).unwrap() == b"another");
+        WITH_MODEL.write(&file, Existing::Replace).unwrap();
+        assert_eq!(fs::read(&model).unwrap(), b"v 0 0 0\n");
+    }
+}

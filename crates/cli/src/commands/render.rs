@@ -76,10 +76,10 @@ impl Render {
         self.send_start(&events, &project, &path);
         self.show_warnings(&events, &project);
 
-        let bar = Bar::new("Preparing", self.quiet || self.json);
+        let bar = Bar::new(self.quiet || self.json);
         let compiled = picture::compile(&project)?;
         let options = RenderOptions { settings, region: self.region };
-        bar.name("Rendering");
+        bar.begin("Rendering");
         let made = picture::make(&compiled, options, self.threads.count(), &cancel, &mut |progress| {
             bar.show(progress);
             events.progress(progress);

@@ -130,8 +130,9 @@ impl Sweep {
         step: usize,
         cancel: &Cancel,
     ) -> Result<Option<(Image, bool)>, Failure> {
-        let bar = Bar::new(format!("{} of {}", step + 1, series.values.len()), self.quiet);
+        let bar = Bar::new(self.quiet);
         let compiled = picture::compile(project)?;
+        bar.begin(format!("{} of {}", step + 1, series.values.len()));
         let threads = self.threads.count();
         let made =
             picture::make(&compiled, project.options(), threads, cancel, &mut |progress| bar.show(progress))?;

@@ -9,6 +9,7 @@ pub use threads::Measured;
 
 /// Measure how fast this machine renders
 #[derive(Args, Debug)]
+#[command(after_help = "Example:\n  vitrine bench threads --plot threads.svg")]
 pub struct Bench {
     #[command(subcommand)]
     bench: Kind,

@@ -130,8 +130,9 @@ impl Threads {
         counts: &[usize],
         cancel: &Cancel,
     ) -> Result<Option<Vec<Measured>>, Failure> {
+        let bar = Bar::new(self.quiet);
         let compiled = picture::compile(project)?;
-        let bar = Bar::new("Measuring", self.quiet);
+        bar.begin("Measuring");
         let samples_total = counts.len() as u64 * u64::from(self.repeats);
         let mut times = vec![Vec::new(); counts.len()];
         for repeat in 0..u64::from(self.repeats) {
