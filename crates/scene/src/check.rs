@@ -1,7 +1,7 @@
 //! What is wrong with a scene as a whole: names, references, cycles, and what would give a black picture.
 
 use crate::params::{ParamKind, Value};
-use crate::{Fault, Geometry, Item, ListName, Owner, Scene, Settings, closest};
+use crate::{Fault, Geometry, GroupPlaces, Item, ListName, Owner, Scene, Settings, closest};
 use std::collections::HashMap;
 use vitrine_math::Vec3;
 
@@ -114,6 +114,9 @@ impl Cause {
     }
 }
 
+/// To look for a near name is slow among very many; nobody reads more suggestions than this.
+const MOST_SUGGESTIONS: usize = 50;
+
 impl Scene {
     /// Everything that is wrong with the scene as a whole, errors before warnings. Each parameter on its own has
     /// been checked when it was set.
@@ -146,7 +149,8 @@ impl Scene {
                     if known.iter().any(|(l, names)| *l == to && names.contains(name.as_str())) {
                         continue;
                     }
-                    let suggestion = closest(&name, self.names(to)).map(str::to_owned);
+                    let near = || closest(&name, self.names(to)).map(str::to_owned);
+                    let suggestion = (problems.len() < MOST_SUGGESTIONS).then(near).flatten();
                     problems.push(Problem::error(
                         owner,
                         Some(spec.name),
@@ -208,19 +212,20 @@ impl Scene {
         if !self.lights.iter().any(|l| l.visible && l.intensity > 0.0) {
             warn(None, Cause::NoLight);
         }
-        if !self.objects.iter().any(|o| self.is_seen(o)) {
+        let places = self.group_places();
+        if !self.objects.iter().any(|o| places.is_seen(o)) {
             warn(None, Cause::NoObject);
         }
         for (i, object) in self.objects.iter().enumerate() {
-            if self.is_seen(object) && self.camera_is_inside(object) {
+            if places.is_seen(object) && self.camera_is_inside(object, &places) {
                 let name = object.name.clone();
                 warn(Some(Owner::Item(ListName::Object, i)), Cause::CameraInside { name });
             }
         }
     }
 
-    fn camera_is_inside(&self, object: &crate::Object) -> bool {
-        let place = self.world_from_object(object);
+    fn camera_is_inside(&self, object: &crate::Object, places: &GroupPlaces) -> bool {
+        let place = places.world_from_object(object);
         let p = place.object_from_world.transform_point3(self.camera.position);
         match object.shape.as_kind().geometry(&crate::Assets::default()) {
             Some(Geometry::Sphere { radius }) => p.length() < radius,

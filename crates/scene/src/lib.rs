@@ -13,6 +13,7 @@ pub mod materials;
 mod object;
 pub mod params;
 mod path;
+mod placement;
 mod scene;
 mod settings;
 pub mod shapes;
@@ -30,6 +31,7 @@ pub use params::{
     KindSpec, ListName, ParamError, ParamKind, ParamSpec, ParamValue, Params, Range, Unit, Value,
 };
 pub use path::{Owner, PathError, ScenePath};
+pub use placement::GroupPlaces;
 pub use scene::{Item, Scene};
 pub use settings::{Renderer, Settings};
 pub use shapes::{Geometry, Shape};

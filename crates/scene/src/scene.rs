@@ -4,7 +4,6 @@ use crate::{
     Camera, Group, KindSpec, Light, LightSource, ListName, Material, Object, ParamSpec, Params, Settings,
     Shape, Texture, TextureSource,
 };
-use vitrine_math::Transform;
 
 /// Everything that a scene file says.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -111,9 +110,6 @@ items! {
     Object: Object, "shape" shape Shape;
 }
 
-/// More groups inside one another than this are taken for a cycle.
-const MAX_GROUP_DEPTH: usize = 64;
-
 impl Scene {
     /// The object of that name.
     #[must_use]
@@ -151,77 +147,5 @@ impl Scene {
             ListName::Texture => names(&self.textures),
             ListName::Group => names(&self.groups),
         }
-    }
-
-    /// The groups around an object from the innermost out. Ends early at a missing group, and after a while in a
-    /// cycle; both are [`Problem`](crate::Problem)s.
-    pub fn groups_around<'a>(&'a self, object: &'a Object) -> impl Iterator<Item = &'a Group> {
-        let first = object.group.as_deref().and_then(|g| self.group(g));
-        std::iter::successors(first, |g| g.group.as_deref().and_then(|g| self.group(g))).take(MAX_GROUP_DEPTH)
-    }
-
-    /// From an object's own space to the world, through its groups.
-    #[must_use]
-    pub fn world_from_object(&self, object: &Object) -> Transform {
-        self.groups_around(object).fold(object.place(), |place, group| group.place().after(&place))
-    }
-
-    /// Whether an object and all groups around it are visible.
-    #[must_use]
-    pub fn is_seen(&self, object: &Object) -> bool {
-        object.visible && self.groups_around(object).all(|g| g.visible)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use vitrine_math::Vec3;
-
-    fn nested() -> Scene {
-        Scene {
-            groups: vec![
-                Group {
-                    name: "case".into(),
-                    position: Vec3::new(10.0, 0.0, 0.0),
-                    turn_deg: Vec3::new(0.0, 90.0, 0.0),
-                    ..Group::default()
-                },
-                Group {
-                    name: "shelf".into(),
-                    group: Some("case".into()),
-                    position: Vec3::new(0.0, 1.0, 0.0),
-                    ..Group::default()
-                },
-            ],
-            objects: vec![Object {
-                position: Vec3::new(0.0, 0.0, 2.0),
-                group: Some("shelf".into()),
-                ..Object::default()
-            }],
-            ..Scene::default()
-        }
-    }
-
-    #[test]
-    fn groups_move_their_members_inside_out() {
-        let scene = nested();
-        let origin = scene.world_from_object(&scene.objects[0]).point(Vec3::ZERO);
-        assert_eq!(origin, Vec3::new(12.0, 1.0, 0.0));
-    }
-
-    #[test]
-    fn a_hidden_outer_group_hides_the_object() {
-        let mut scene = nested();
-        assert!(scene.is_seen(&scene.objects[0]));
-        scene.groups[0].visible = false;
-        assert!(!scene.is_seen(&scene.objects[0]));
-    }
-
-    #[test]
-    fn a_cycle_of_groups_ends() {
-        let mut scene = nested();
-        scene.groups[0].group = Some("shelf".into());
-        assert!(scene.groups_around(&scene.objects[0]).count() <= MAX_GROUP_DEPTH);
     }
 }

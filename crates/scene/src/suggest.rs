@@ -1,11 +1,18 @@
 //! "Did you mean …?"
 
+/// Nobody mistypes anything longer, and to compare it would be slow.
+const MAX_BYTES: usize = 200;
+
 /// The candidate that the text most likely means, or None when none is near.
 #[must_use]
 pub fn closest<'a>(text: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    if text.len() > MAX_BYTES {
+        return None;
+    }
     let text = text.to_lowercase();
     candidates
         .into_iter()
+        .filter(|c| c.len() <= MAX_BYTES)
         .map(|c| (strsim::jaro_winkler(&text, &c.to_lowercase()), c))
         .filter(|(score, _)| *score > 0.8)
         .max_by(|a, b| a.0.total_cmp(&b.0))

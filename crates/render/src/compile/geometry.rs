@@ -91,7 +91,8 @@ pub fn collect(
     table: &mut MaterialTable,
 ) -> Result<Collection, CompileError> {
     let mut all = Collection::default();
-    for object in scene.objects.iter().filter(|o| scene.is_seen(o)) {
+    let places = scene.group_places();
+    for object in scene.objects.iter().filter(|o| places.is_seen(o)) {
         let missing = || CompileError::MissingModel { object: object.name.clone() };
         let geometry = object.shape.as_kind().geometry(assets).ok_or_else(missing)?;
         let (material, by_triangle) = match (&object.material, &geometry) {
@@ -100,7 +101,7 @@ pub fn collect(
             }
             (name, _) => (table.find(&object.name, name.as_deref())?, false),
         };
-        let transform = scene.world_from_object(object);
+        let transform = places.world_from_object(object);
         let (form, bounds) = all.form(object, geometry, &transform)?;
         all.bounds = all.bounds.union(bounds);
         all.collected.materials.push(MaterialSlots { first: material, by_triangle });
