@@ -81,7 +81,7 @@ const NUMBER_STARTS: [char; 13] = ['0', '1', '2', '3', '4', '5', '6', '7', '8', 
 
 /// What the parser says about this text, as a finding.
 pub(super) fn syntax_finding(error: &TomlError, text: &str) -> Finding {
-    let span = shown_span(error.span().unwrap_or(0..0), text);
+    let span = shown_span(error.span().unwrap_or_else(|| dotted_line(text)), text);
     let rest = &text[span.start..];
     let starts_with = |chars: &[char]| rest.starts_with(chars);
     let (words, hint) = match error.message() {
@@ -109,6 +109,19 @@ pub(super) fn syntax_finding(error: &TomlError, text: &str) -> Finding {
         },
     };
     Finding::error(span, words, "here", hint)
+}
+
+/// The line with far too many dots: the one error for which the parser names no place.
+fn dotted_line(text: &str) -> Range<usize> {
+    let mut start = 0;
+    for line in text.split_inclusive('\n') {
+        let key = line.split('=').next().unwrap_or(line);
+        if key.matches('.').count() >= 80 {
+            return start..start + line.trim_end().len();
+        }
+        start += line.len();
+    }
+    0..0
 }
 
 /// The span cut to whole characters within the text, and to one line.

@@ -6,6 +6,7 @@ mod documenting;
 mod printing;
 mod reading;
 mod setting;
+mod size;
 
 use super::{SceneFile, SceneFileError};
 use std::path::Path;
