@@ -56,8 +56,8 @@ impl CompiledTexture {
         let v = v * self.repeat[1] + self.shift[1];
         match &self.pattern {
             Pattern::Checker { colors } => {
-                let odd = ((2.0 * u).floor() + (2.0 * v).floor()).rem_euclid(2.0) >= 1.0;
-                colors[usize::from(odd)]
+                let squares = floor(2.0 * u).wrapping_add(floor(2.0 * v));
+                colors[usize::from(squares & 1 != 0)]
             }
             Pattern::Picture { picture, wrap } => bilinear(picture, *wrap, u, v),
         }
@@ -69,16 +69,24 @@ fn bilinear(picture: &Picture, wrap: Wrap, u: f32, v: f32) -> Rgb {
     let [width, height] = picture.size;
     // Texels have their middles at halves; the first row is at the top, where v is 1.
     let (x, y) = (u * width as f32 - 0.5, (1.0 - v) * height as f32 - 0.5);
-    let (x0, y0) = (x.floor(), y.floor());
-    let (fx, fy) = (x - x0, y - y0);
-    let at = |i: f32, n: u32| match wrap {
-        Wrap::Repeat => (i as i64).rem_euclid(i64::from(n)) as u32,
-        Wrap::Clamp => (i as i64).clamp(0, i64::from(n) - 1) as u32,
+    let (x0, y0) = (floor(x), floor(y));
+    let (fx, fy) = (x - x0 as f32, y - y0 as f32);
+    let at = |i: i64, n: u32| match wrap {
+        Wrap::Repeat => i.rem_euclid(i64::from(n)) as u32,
+        Wrap::Clamp => i.clamp(0, i64::from(n) - 1) as u32,
     };
-    let texel = |dx: f32, dy: f32| picture.texel(at(x0 + dx, width), at(y0 + dy, height));
-    let top = texel(0.0, 0.0).lerp(texel(1.0, 0.0), fx);
-    let bottom = texel(0.0, 1.0).lerp(texel(1.0, 1.0), fx);
+    let texel =
+        |dx: i64, dy: i64| picture.texel(at(x0.saturating_add(dx), width), at(y0.saturating_add(dy), height));
+    let top = texel(0, 0).lerp(texel(1, 0), fx);
+    let bottom = texel(0, 1).lerp(texel(1, 1), fx);
     top.lerp(bottom, fy)
+}
+
+/// The largest whole number that is not above `x`. Spelled out because `f32::floor` is a call where the processor's newer
+/// instructions are not taken for granted.
+fn floor(x: f32) -> i64 {
+    let whole = x as i64;
+    whole.saturating_sub(i64::from((whole as f32) > x))
 }
 
 /// All materials and textures, by name while compiling.
