@@ -1,10 +1,12 @@
-//! The project's own chores, `cargo xtask …`: the layer check, and everything that a change must pass.
+//! The project's own chores, `cargo xtask …`: the layer check, the files that the scenes need, and everything that a
+//! change must pass.
 
 // A chore talks to the person who runs it.
 #![allow(clippy::print_stdout, clippy::print_stderr)]
 
 mod check;
 mod layers;
+mod models;
 
 use serde_json::Value;
 use std::path::Path;
@@ -15,6 +17,7 @@ The project's own chores.
 
 cargo xtask check    everything that a change must pass
 cargo xtask layers   the crates' dependencies against the picture in ARCHITECTURE.md
+cargo xtask models   makes the models of the example scenes; with --check only compares
 ";
 
 fn main() -> ExitCode {
@@ -23,6 +26,8 @@ fn main() -> ExitCode {
     let outcome = match words[..] {
         ["check"] => check::run(),
         ["layers"] => check_layers(),
+        ["models"] => models::write(),
+        ["models", "--check"] => models::check(),
         ["help" | "--help" | "-h"] => {
             print!("{HELP}");
             return ExitCode::SUCCESS;

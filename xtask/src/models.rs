@@ -1,0 +1,116 @@
+//! `cargo xtask models`: makes the models that the example scenes need. They are checked in, so that scenes work without
+//! a build; a test sees that they are what this program makes.
+
+use crate::root;
+use std::f64::consts::TAU;
+use std::fs;
+
+/// Where the files stand, from the folder of the workspace.
+const FOLDER: &str = "scenes/coursework";
+
+/// A file that this program makes: its path in [`FOLDER`], and its bytes.
+type Made = (&'static str, Vec<u8>);
+
+/// Every file.
+fn made() -> Vec<Made> {
+    vec![
+        ("models/cone-160.obj", cone_obj(80).into_bytes()),
+        ("models/cone-162.obj", cone_obj(81).into_bytes()),
+    ]
+}
+
+/// Writes every file.
+///
+/// # Errors
+/// The first file that cannot be written.
+pub fn write() -> Result<(), String> {
+    for (path, bytes) in made() {
+        let path = root().join(FOLDER).join(path);
+        let folder = path.parent().unwrap_or(root());
+        fs::create_dir_all(folder)
+            .and_then(|()| fs::write(&path, bytes))
+            .map_err(|e| format!("cannot write {}: {e}", path.display()))?;
+        println!("wrote {}", path.display());
+    }
+    Ok(())
+}
+
+/// Compares every file with what this program makes.
+///
+/// # Errors
+/// The files that differ or are missing.
+pub fn check() -> Result<(), String> {
+    let differs =
+        |(path, bytes): &Made| fs::read(root().join(FOLDER).join(path)).map_or(true, |b| b != *bytes);
+    let others: Vec<&str> = made().iter().filter(|made| differs(made)).map(|(path, _)| *path).collect();
+    if others.is_empty() {
+        println!("models: every file is what `cargo xtask models` makes");
+        Ok(())
+    } else {
+        Err(format!("not what `cargo xtask models` makes, in {FOLDER}: {}", others.join(", ")))
+    }
+}
+
+/// A cone of 2·`sides` triangles as an OBJ file: 1 m wide and high, its base around the origin, its tip up.
+///
+/// The mantle is smooth. A cone has no normal at its tip, so each triangle has its own there, the one in its middle.
+fn cone_obj(sides: u32) -> String {
+    const RADIUS: f64 = 0.5;
+    let angle = |i: f64| TAU * i / f64::from(sides);
+    let on_circle = |radius: f64, y: f64, angle: f64| {
+        format!("{} {} {}", number(radius * libm::cos(angle)), number(y), number(radius * libm::sin(angle)))
+    };
+    // The mantle falls 1 over a run of RADIUS: its normals rise RADIUS over a run of 1.
+    let run = 1.0 / libm::sqrt(1.0 + RADIUS * RADIUS);
+    let mut lines = vec![
+        format!(
+            "# A cone, 1 m wide and high: {sides} triangles of the mantle, {sides} of the base. Made by `cargo xtask models`."
+        ),
+        "v 0 1 0".to_owned(),
+        "v 0 0 0".to_owned(),
+    ];
+    lines.extend((0..sides).map(|i| format!("v {}", on_circle(RADIUS, 0.0, angle(f64::from(i))))));
+    for half in [0.0, 0.5] {
+        lines.extend(
+            (0..sides).map(|i| format!("vn {}", on_circle(run, RADIUS * run, angle(f64::from(i) + half)))),
+        );
+    }
+    lines.push("vn 0 -1 0".to_owned());
+    // OBJ counts from 1: the tip, the middle of the base, the rim; normals of the rim, of the tip, down.
+    let (tip, middle, rim, down) = (1, 2, 3, 2 * sides + 1);
+    lines.push("g mantle".to_owned());
+    for i in 0..sides {
+        let next = (i + 1) % sides;
+        let tip_normal = sides + i + 1;
+        lines.push(format!("f {tip}//{tip_normal} {}//{} {}//{}", rim + next, next + 1, rim + i, i + 1));
+    }
+    lines.push("g base".to_owned());
+    for i in 0..sides {
+        let next = (i + 1) % sides;
+        lines.push(format!("f {middle}//{down} {}//{down} {}//{down}", rim + i, rim + next));
+    }
+    lines.join("\n") + "\n"
+}
+
+/// A number with six places at the most.
+fn number(v: f64) -> String {
+    // Adding 0 turns −0 into 0.
+    let text = format!("{:.6}", (v * 1e6).round() / 1e6 + 0.0);
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_checked_in_files_are_what_the_program_makes() {
+        assert_eq!(check(), Ok(()));
+    }
+
+    #[test]
+    fn numbers_are_short() {
+        let numbers = [0.0, -0.0, 1.0, -0.25, 1.0 / 3.0, -1e-9, 10.0].map(number);
+        assert_eq!(numbers, ["0", "0", "1", "-0.25", "0.333333", "0", "10"]);
+    }
+}
