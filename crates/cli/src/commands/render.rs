@@ -42,6 +42,9 @@ pub struct Render {
     picture: PictureFlags,
 
     /// Report to programs: lines of JSON on stdout
+    ///
+    /// Each line has an "event": start, warning, progress, and last done or error. The line of done has output, complete,
+    /// width, height, threads, samples, rays, render_seconds and cpu_seconds; the times are those of rendering alone.
     #[arg(long)]
     pub json: bool,
 

@@ -39,6 +39,10 @@ impl Templates {
         let template = Template::find(name).ok_or_else(|| unknown(name))?;
         let Some(path) = &self.output else {
             console::print(template.text)?;
+            let needed: Vec<_> = template.assets.iter().map(|(path, _)| *path).collect();
+            if !needed.is_empty() {
+                console::tell(&format!("It needs {}; -o FILE writes them beside it.", needed.join(", ")));
+            }
             return Ok(Exit::Done);
         };
         output::check_place(path)?;

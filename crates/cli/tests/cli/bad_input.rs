@@ -1,7 +1,6 @@
 //! Bad input: the exit code says whose fault it is, the message says what and where, and nothing is lost.
 
 use crate::support::{Folder, SCENE, outcome, text};
-use std::process::Command;
 
 const OLD: &[u8] = b"what was there before";
 
@@ -192,7 +191,7 @@ fn writing_that_stops_halfway_leaves_what_was_there() {
         "trap '' 25; ulimit -f 1; exec '{}' render scene.vitrine.toml --size 200x200",
         env!("CARGO_BIN_EXE_vitrine")
     );
-    let told = outcome(Command::new("sh").args(["-c", &script]).current_dir(folder.path(".")));
+    let told = outcome(std::process::Command::new("sh").args(["-c", &script]).current_dir(folder.path(".")));
     told.fails(1, &["cannot be written", "scene.png"]);
     assert_eq!(folder.read("scene.png"), OLD);
     assert_eq!(folder.names(), ["scene.png", "scene.vitrine.toml"], "no crumbs");
