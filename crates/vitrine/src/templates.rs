@@ -11,8 +11,8 @@ use std::path::{Path, PathBuf};
 pub struct Template {
     /// Its name: "two-mirror-spheres".
     pub name: &'static str,
-    /// The text of its scene file.
-    pub text: &'static str,
+    /// The text of its scene file in the project's own folder.
+    source: &'static str,
     /// Models and pictures: the path as the scene writes it, and the bytes.
     pub assets: &'static [(&'static str, &'static [u8])],
 }
@@ -21,14 +21,17 @@ macro_rules! template {
     ($folder:literal, $name:literal $(, $asset:literal)*) => {
         Template {
             name: $name,
-            text: include_str!(concat!("../../../scenes/", $folder, $name, ".vitrine.toml")),
+            source: include_str!(concat!("../../../scenes/", $folder, $name, ".vitrine.toml")),
             assets: &[$(($asset, include_bytes!(concat!("../../../scenes/", $folder, $asset))),)*],
         }
     };
 }
 
 /// The register of templates: the folder under `scenes/`, the name, the files that the scene needs.
-pub const TEMPLATES: &[Template] = &[template!("", "empty")];
+pub const TEMPLATES: &[Template] = &[
+    template!("", "empty"),
+    template!("coursework/", "benchmark", "models/cone-160.obj", "models/cone-162.obj"),
+];
 
 /// What to do with a file that is there already and differs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,11 +49,23 @@ impl Template {
         TEMPLATES.iter().find(|t| t.name == name)
     }
 
+    /// The text of the scene file. The first line of the project's own files points to the schema in the project's own
+    /// folder, which is nowhere else; it is left out.
+    #[must_use]
+    pub fn text(&self) -> &'static str {
+        match self.source.split_once('\n') {
+            Some((first, rest)) if first.starts_with("#:schema") => rest,
+            _ => self.source,
+        }
+    }
+
     /// What it shows, in one line.
     #[must_use]
     pub fn about(&self) -> String {
         let path = PathBuf::from(format!("{}.vitrine.toml", self.name));
-        formats::SceneFile::parse(&path, self.text).map(|file| file.scene().about.clone()).unwrap_or_default()
+        formats::SceneFile::parse(&path, self.text())
+            .map(|file| file.scene().about.clone())
+            .unwrap_or_default()
     }
 
     /// Writes the scene as `file` and its models and pictures into the folders beside it. Files that are there and the
@@ -62,7 +77,7 @@ impl Template {
     pub fn write(&self, file: &Path, existing: Existing) -> Result<Vec<PathBuf>, Error> {
         let folder = file.parent().unwrap_or(Path::new(""));
         let assets = self.assets.iter().map(|(path, bytes)| (folder.join(path), *bytes));
-        let mut wanted: Vec<_> = assets.chain([(file.to_owned(), self.text.as_bytes())]).collect();
+        let mut wanted: Vec<_> = assets.chain([(file.to_owned(), self.text().as_bytes())]).collect();
         wanted.retain(|(path, bytes)| fs::read(path).map_or(true, |there| there != *bytes));
         if existing == Existing::Keep
             && let Some((path, _)) = wanted.iter().find(|(path, _)| path.symlink_metadata().is_ok())
@@ -86,7 +101,7 @@ mod tests {
 
     const WITH_MODEL: Template = Template {
         name: "t",
-        text: "format = 1\nabout = \"a test\"\n",
+        source: "#:schema ../x.json\nformat = 1\nabout = \"a test\"\n",
         assets: &[("models/a.obj", b"v 0 0 0\n"), ("textures/b.png", b"png")],
     };
 
@@ -95,9 +110,10 @@ mod tests {
         for (i, template) in TEMPLATES.iter().enumerate() {
             assert!(TEMPLATES[..i].iter().all(|t| t.name != template.name), "{} twice", template.name);
             assert!(!template.about().is_empty(), "{}", template.name);
-            assert_eq!(Template::find(template.name).map(|t| t.text), Some(template.text));
+            assert!(Template::find(template.name).is_some_and(|found| found.source == template.source));
         }
         assert_eq!(WITH_MODEL.about(), "a test");
+        assert_eq!(WITH_MODEL.text(), "format = 1\nabout = \"a test\"\n");
     }
 
     #[test]

@@ -38,7 +38,7 @@ impl Templates {
         };
         let template = Template::find(name).ok_or_else(|| unknown(name))?;
         let Some(path) = &self.output else {
-            console::print(template.text)?;
+            console::print(template.text())?;
             let needed: Vec<_> = template.assets.iter().map(|(path, _)| *path).collect();
             if !needed.is_empty() {
                 console::tell(&format!("It needs {}; -o FILE writes them beside it.", needed.join(", ")));

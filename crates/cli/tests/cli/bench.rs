@@ -39,6 +39,13 @@ fn a_row_for_each_number_of_threads_a_file_and_a_plot() {
 }
 
 #[test]
+fn without_a_scene_it_measures_the_benchmark_of_the_course_work() {
+    let small = ["--size", "32x32", "--threads", "1", "--repeats", "1"];
+    let outcome = Folder::new().run_well(&[&["bench", "threads"], &small[..]].concat());
+    assert!(outcome.out.starts_with("benchmark, 32 × 32 pixels, median of 1, "), "{}", outcome.out);
+}
+
+#[test]
 fn a_plot_as_a_picture() {
     let folder = Folder::with_scene();
     folder.run_well(&[

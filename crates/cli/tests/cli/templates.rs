@@ -31,7 +31,7 @@ fn every_template_is_a_sound_scene_that_renders() {
 fn without_a_file_the_text_is_printed() {
     let outcome = Folder::new().run_well(&["templates", "empty"]);
     let empty = TEMPLATES.iter().find(|t| t.name == "empty").unwrap();
-    assert_eq!(outcome.out, empty.text);
+    assert_eq!(outcome.out, empty.text());
 }
 
 #[test]

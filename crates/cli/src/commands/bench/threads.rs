@@ -99,9 +99,7 @@ impl Threads {
         if let Some(path) = &self.scene {
             return Ok(vitrine::load(path)?);
         }
-        let template = Template::find(DEFAULT_SCENE).ok_or_else(|| {
-            Failure::usage("this build has no benchmark scene", "name a scene file to measure")
-        })?;
+        let template = Template::find(DEFAULT_SCENE).expect("the benchmark is among the templates");
         let no_folder = |error| {
             Failure::new(Exit::Failed, Report::error(format!("cannot make a temporary folder: {error}")))
         };
