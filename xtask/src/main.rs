@@ -5,6 +5,7 @@
 #![allow(clippy::print_stdout, clippy::print_stderr)]
 
 mod check;
+mod docs;
 mod layers;
 mod models;
 
@@ -18,6 +19,7 @@ The project's own chores.
 cargo xtask check    everything that a change must pass
 cargo xtask layers   the crates' dependencies against the picture in ARCHITECTURE.md
 cargo xtask models   makes the models of the example scenes; with --check only compares
+cargo xtask docs     makes docs/scene-file.md and docs/vitrine.schema.json; with --check only compares
 ";
 
 fn main() -> ExitCode {
@@ -28,6 +30,8 @@ fn main() -> ExitCode {
         ["layers"] => check_layers(),
         ["models"] => models::write(),
         ["models", "--check"] => models::check(),
+        ["docs"] => docs::write(),
+        ["docs", "--check"] => docs::check(),
         ["help" | "--help" | "-h"] => {
             print!("{HELP}");
             return ExitCode::SUCCESS;

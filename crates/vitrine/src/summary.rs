@@ -40,11 +40,12 @@ impl Summary {
     pub fn of(project: &Project) -> Result<Self, Error> {
         let scene = &project.scene;
         let compiled = crate::render::compile(scene, &project.assets)?;
+        let places = scene.group_places();
         let shapes = scene.objects.iter().map(|o| o.shape.kind());
         let sources = scene.lights.iter().map(|l| l.source.kind());
         Ok(Self {
             objects: count(Shape::KINDS, shapes),
-            hidden_objects: scene.objects.iter().filter(|o| !scene.is_seen(o)).count(),
+            hidden_objects: scene.objects.iter().filter(|o| !places.is_seen(o)).count(),
             lights: count(LightSource::KINDS, sources),
             hidden_lights: scene.lights.iter().filter(|l| !l.visible).count(),
             triangles: compiled.triangles(),

@@ -19,6 +19,8 @@ under a header of its own: `[[light]]`, `[[object]]`, …
 - Right-handed axes with Y up. Lengths are in metres, angles in degrees (`_deg`). Turns go about X, then Y, then Z.
 - A colour is `\"#rrggbb\"` (sRGB, as in any painting program) or `[r, g, b]` (linear, 0 or more).
 - Entries refer to each other by name. Paths of files are relative to the scene file.
+- A material has two sides, the classic scales and OpenPBR's parameters. What one side does not say is derived from the
+  other by [these rules](../crates/scene/src/materials/derive.rs).
 - Remarks begin with `#`. The program keeps them, and the order and spelling of all that it does not change.
 - `vitrine check` says what is wrong with a file and where. An editor that knows JSON Schema does so while you type; begin
   the file with `#:schema` and the path of [vitrine.schema.json](vitrine.schema.json).

@@ -2,13 +2,17 @@
 
 use super::dice::Dice;
 use super::{EXAMPLE, parse, with};
+use crate::SceneFile;
 use crate::scene_file::{print_new, reference_markdown, schema};
 use jsonschema::Validator;
 use proptest::prelude::*;
 use serde_json::{Value as Json, json};
+use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 use toml_edit::{Document, Item, Table, Value as Toml};
 use vitrine_scene::{Camera, ListName, Owner, Settings};
+
+static VALIDATOR: LazyLock<Validator> = LazyLock::new(validator);
 
 fn validator() -> Validator {
     let schema = schema();
@@ -48,14 +52,40 @@ fn value(value: &Toml) -> Json {
 
 #[test]
 fn the_schema_takes_the_agreed_example() {
-    let validator = validator();
-    let errors: Vec<_> = validator.iter_errors(&json(EXAMPLE)).map(|e| e.to_string()).collect();
+    let errors: Vec<_> = VALIDATOR.iter_errors(&json(EXAMPLE)).map(|e| e.to_string()).collect();
     assert!(errors.is_empty(), "{errors:#?}");
+}
+
+/// The files of a folder and the folders in it that are scenes.
+fn scene_files(folder: &Path) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    let files = entries.flat_map(|path| if path.is_dir() { scene_files(&path) } else { vec![path] });
+    files.filter(|path| path.to_string_lossy().ends_with(".vitrine.toml")).collect()
+}
+
+#[test]
+fn every_example_scene_is_right_and_points_to_the_schema() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").canonicalize().unwrap();
+    let files = scene_files(&root.join("scenes"));
+    assert!(!files.is_empty());
+    for path in files {
+        let file = SceneFile::read(&path).unwrap_or_else(|e| panic!("{e}"));
+        assert_eq!(file.warnings(), [], "{}", path.display());
+        assert!(VALIDATOR.is_valid(&json(file.text())), "{}", path.display());
+        let schema = file.text().lines().next().and_then(|line| line.strip_prefix("#:schema "));
+        let schema =
+            path.parent().unwrap().join(schema.unwrap_or_else(|| panic!("no #:schema: {}", path.display())));
+        assert_eq!(
+            schema.canonicalize().ok(),
+            Some(root.join("docs/vitrine.schema.json")),
+            "{}",
+            path.display()
+        );
+    }
 }
 
 #[test]
 fn the_schema_refuses_what_the_reader_refuses() {
-    let validator = validator();
     let object = |lines: &str| format!("[[object]]\nname = \"o\"\n{lines}");
     let wrong = [
         "fog = 1".into(),
@@ -92,10 +122,10 @@ fn the_schema_refuses_what_the_reader_refuses() {
     for lines in wrong {
         let text = with(&lines);
         assert!(parse(&text).is_err(), "the reader takes\n{text}");
-        assert!(!validator.is_valid(&json(&text)), "the schema takes\n{text}");
+        assert!(!VALIDATOR.is_valid(&json(&text)), "the schema takes\n{text}");
     }
-    assert!(!validator.is_valid(&json("[camera]")), "without `format`");
-    assert!(!validator.is_valid(&json("format = 2")), "another format");
+    assert!(!VALIDATOR.is_valid(&json("[camera]")), "without `format`");
+    assert!(!VALIDATOR.is_valid(&json("format = 2")), "another format");
 }
 
 #[test]
@@ -138,7 +168,6 @@ proptest! {
     #[test]
     fn the_schema_takes_whatever_is_printed(seed in any::<u64>()) {
         let text = print_new(&Dice::new(seed).scene());
-        static VALIDATOR: LazyLock<Validator> = LazyLock::new(validator);
         let errors: Vec<_> = VALIDATOR.iter_errors(&json(&text)).map(|e| e.to_string()).collect();
         prop_assert!(errors.is_empty(), "{errors:#?}\n{text}");
     }
