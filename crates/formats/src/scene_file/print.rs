@@ -20,7 +20,10 @@ pub(super) fn print(text: &str, old: &Scene, new: &Scene) -> String {
     let root = document.as_table();
     let outline = Outline::read(root, &mut Findings::default());
     let mut printer = Printer::new(text, root, &outline);
-    printer.about(new);
+    // An empty line says as much as none: only a change of it is a reason to touch it.
+    if new.about != old.about {
+        printer.about(new);
+    }
     printer.single(Owner::Settings, &View::single(Section::SETTINGS, &new.settings));
     printer.single(Owner::Camera, &View::single(Section::CAMERA, &new.camera));
     for list in ListName::ALL {

@@ -66,6 +66,14 @@ proptest! {
     }
 }
 
+/// Found by fuzzing: an empty line says as much as none.
+#[test]
+fn an_empty_about_stays_as_it_was() {
+    let text = "format = 1\nabout = \"\"";
+    let file = parse(text).unwrap();
+    assert_eq!(file.print(file.scene()), text);
+}
+
 /// The lines that are in one text and not in the other: (gone, new).
 fn difference<'a>(before: &'a str, after: &'a str) -> (Vec<&'a str>, Vec<&'a str>) {
     let only = |a: &'a str, b: &str| a.lines().filter(|line| !b.lines().any(|l| l == *line)).collect();
