@@ -143,7 +143,7 @@ pub(super) fn problem_label(cause: &Cause) -> &'static str {
     match cause {
         Cause::DuplicateName { .. } => "the same name again",
         Cause::EmptyName => "empty",
-        Cause::MissingReference { .. } => "not in this file",
+        Cause::MissingReference { .. } => "no such name",
         Cause::GroupCycle { .. } => "leads back to this group",
         Cause::Fault(_) => "not possible",
         Cause::PictureTooLarge { .. } => "too large",

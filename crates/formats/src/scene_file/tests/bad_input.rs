@@ -1,8 +1,11 @@
 //! Files that are wrong: what is said, what is underlined, and the help.
 
 use super::super::finding::Findings;
+use super::dice::Dice;
 use super::{parse, with};
+use crate::scene_file::print_new;
 use crate::{FormatError, SceneFile};
+use proptest::prelude::*;
 
 /// The lines of a file, the underlined text, words of the message and words of the help.
 type Case = (&'static str, &'static str, &'static str, &'static str);
@@ -367,4 +370,38 @@ fn files_that_cannot_be_read() {
 
     std::fs::write(at("wide"), b"\xff\xfef\0o\0").unwrap();
     assert!(SceneFile::read(&at("wide")).unwrap_err().help().contains("UTF-16"));
+}
+
+/// The text with a few pieces cut out, doubled, moved or replaced by what means something in TOML.
+fn damaged(text: &str, dice: &mut Dice) -> String {
+    const PARTS: [&str; 14] = ["", "[", "]", "\"", "'", "=", ".", ",", "\n", "{", "}", "#", "nan", "é"];
+    let mut chars: Vec<char> = text.chars().collect();
+    for _ in 0..1 + dice.below(4) {
+        let at = dice.below(chars.len());
+        let end = chars.len().min(at + dice.below(12));
+        let doubled: String = chars[at..end].iter().collect();
+        let part = if dice.chance(3) { doubled + "\n" } else { dice.one_of(&PARTS).to_owned() };
+        let to = if dice.chance(2) { at } else { dice.below(at + 1) };
+        chars.splice(to..end.max(to), part.chars());
+        chars.push('\n');
+    }
+    chars.into_iter().collect()
+}
+
+proptest! {
+    #[test]
+    fn a_damaged_file_is_read_or_refused_with_places_in_its_text(seed in any::<u64>()) {
+        let mut dice = Dice::new(seed);
+        let scene = dice.scene();
+        let text = damaged(&print_new(&scene), &mut dice);
+        match parse(&text) {
+            Ok(file) => prop_assert_eq!(file.print(file.scene()), text),
+            Err(error) => {
+                for finding in &error.findings {
+                    prop_assert!(text.get(finding.span.clone()).is_some(), "{finding:?}\n{text}");
+                    prop_assert!(!finding.message.is_empty() && !finding.help.is_empty(), "{finding:?}");
+                }
+            }
+        }
+    }
 }

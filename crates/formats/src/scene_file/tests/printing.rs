@@ -28,7 +28,8 @@ fn unruly(text: &str, dice: &mut Dice) -> String {
         lines.push(format!("{indent}{}{end}", line.replacen(" = ", equals, 1)));
     }
     let newline = dice.one_of(&["\n", "\r\n"]);
-    lines.join(newline) + dice.one_of(&["", newline, "\n\n# the end\n"])
+    let mark = dice.one_of(&["", "", "", "\u{feff}"]);
+    mark.to_owned() + &lines.join(newline) + dice.one_of(&["", newline, "\n\n# the end\n"])
 }
 
 proptest! {
