@@ -1,7 +1,7 @@
 //! The scene as a person edits it: plain data, names for references, no files and no rendering.
 //!
 //! [`Scene`] is what a scene file says and what the editor changes. Each kind of shape, light, texture and the
-//! material describes its own parameters once ([`params`]); everything that reads, writes, shows or documents
+//! material describes its own parameters once ([`mod@params`]); everything that reads, writes, shows or documents
 //! them works from those descriptions.
 
 mod assets;

@@ -1,5 +1,5 @@
 //! What things are made of. One material has two sides, the course work's scales and physical parameters with OpenPBR's
-//! names; what one side does not say is derived from the other ([`derive`]).
+//! names; what one side does not say is derived from the other ([`mod@derive`]).
 
 pub mod derive;
 
