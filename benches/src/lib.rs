@@ -1,5 +1,7 @@
 //! Scenes and helpers that the benches share.
 
+pub mod povray;
+
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use vitrine_formats::{SceneFile, load_assets};
