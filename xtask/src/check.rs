@@ -1,5 +1,6 @@
 //! `cargo xtask check`: everything that a change must pass, the quick steps first. CI runs the same.
 
+use crate::{docs, generated, models};
 use std::time::Instant;
 
 /// A step: its arguments to cargo, and a variable of its environment.
@@ -23,7 +24,8 @@ pub fn run() -> Result<(), String> {
     let start = Instant::now();
     QUICK.iter().try_for_each(run_step)?;
     crate::check_layers()?;
-    crate::docs::check()?;
+    generated::check("docs", &docs::files())?;
+    generated::check("models", &models::files())?;
     SLOW.iter().try_for_each(run_step)?;
     println!("check: all passed in {} s", start.elapsed().as_secs());
     Ok(())

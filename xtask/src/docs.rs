@@ -1,53 +1,42 @@
-//! `cargo xtask docs`: the documents that are made from the descriptions of the scene's parameters.
+//! `cargo xtask docs`: the documents that are made from the code.
 
-use std::fs;
-use vitrine::formats::scene_file::{reference_markdown, schema};
+use crate::generated::Generated;
+use vitrine::formats::scene_file;
 
-/// The documents: the path in the workspace and the text.
-fn documents() -> [(&'static str, String); 2] {
-    [("docs/scene-file.md", reference_markdown()), ("docs/vitrine.schema.json", format!("{:#}\n", schema()))]
-}
-
-/// Writes the documents anew.
-///
-/// # Errors
-/// Which one cannot be written.
-pub fn write() -> Result<(), String> {
-    for (path, text) in documents() {
-        let file = crate::root().join(path);
-        if fs::read_to_string(&file).is_ok_and(|old| old == text) {
-            println!("docs: {path} is up to date");
-            continue;
-        }
-        file.parent()
-            .map_or(Ok(()), fs::create_dir_all)
-            .and_then(|()| fs::write(&file, text))
-            .map_err(|e| format!("cannot write, {e}: {path}"))?;
-        println!("docs: wrote {path}");
-    }
-    Ok(())
-}
-
-/// Whether the documents say what the code does.
-///
-/// # Errors
-/// Which one does not.
-pub fn check() -> Result<(), String> {
-    for (path, text) in documents() {
-        let old = fs::read_to_string(crate::root().join(path)).unwrap_or_default();
-        // A checkout on Windows may have other line ends.
-        if !old.lines().eq(text.lines()) {
-            return Err(format!("out of date, run `cargo xtask docs`: {path}"));
-        }
-    }
-    println!("docs: up to date");
-    Ok(())
+/// Every such document.
+pub fn files() -> Vec<Generated> {
+    vec![
+        Generated { path: "docs/scene-file.md", text: scene_file::reference_markdown() },
+        Generated { path: "docs/vitrine.schema.json", text: format!("{:#}\n", scene_file::schema()) },
+    ]
 }
 
 #[cfg(test)]
 mod tests {
+    use super::*;
+    use crate::{generated, root};
+    use std::fs;
+    use std::path::Path;
+
     #[test]
-    fn the_documents_say_what_the_code_does() {
-        super::check().unwrap();
+    fn the_checked_in_documents_are_what_the_code_says() {
+        assert_eq!(generated::check("docs", &files()), Ok(()));
+    }
+
+    /// The text of each block in a fence of that language.
+    fn blocks<'a>(text: &'a str, language: &str) -> Vec<&'a str> {
+        let fence = format!("```{language}\n");
+        text.split(fence.as_str()).skip(1).filter_map(|after| after.split("```").next()).collect()
+    }
+
+    #[test]
+    fn the_scene_in_the_readme_is_a_sound_scene() {
+        let readme = fs::read_to_string(root().join("README.md")).unwrap();
+        let scenes = blocks(&readme, "toml");
+        assert!(!scenes.is_empty());
+        for scene in scenes {
+            let file = scene_file::SceneFile::parse(Path::new("README.md"), scene).unwrap();
+            assert!(file.warnings().is_empty());
+        }
     }
 }

@@ -6,6 +6,7 @@
 
 mod check;
 mod docs;
+mod generated;
 mod layers;
 mod models;
 
@@ -18,8 +19,8 @@ The project's own chores.
 
 cargo xtask check    everything that a change must pass
 cargo xtask layers   the crates' dependencies against the picture in ARCHITECTURE.md
-cargo xtask models   makes the models of the example scenes; with --check only compares
 cargo xtask docs     makes docs/scene-file.md and docs/vitrine.schema.json; with --check only compares
+cargo xtask models   makes the models of the example scenes; with --check only compares
 ";
 
 fn main() -> ExitCode {
@@ -28,10 +29,10 @@ fn main() -> ExitCode {
     let outcome = match words[..] {
         ["check"] => check::run(),
         ["layers"] => check_layers(),
-        ["models"] => models::write(),
-        ["models", "--check"] => models::check(),
-        ["docs"] => docs::write(),
-        ["docs", "--check"] => docs::check(),
+        ["docs"] => generated::write(&docs::files()),
+        ["docs", "--check"] => generated::check("docs", &docs::files()),
+        ["models"] => generated::write(&models::files()),
+        ["models", "--check"] => generated::check("models", &models::files()),
         ["help" | "--help" | "-h"] => {
             print!("{HELP}");
             return ExitCode::SUCCESS;

@@ -1,54 +1,15 @@
 //! `cargo xtask models`: makes the models that the example scenes need. They are checked in, so that scenes work without
 //! a build; a test sees that they are what this program makes.
 
-use crate::root;
+use crate::generated::Generated;
 use std::f64::consts::TAU;
-use std::fs;
 
-/// Where the files stand, from the folder of the workspace.
-const FOLDER: &str = "scenes/coursework";
-
-/// A file that this program makes: its path in [`FOLDER`], and its bytes.
-type Made = (&'static str, Vec<u8>);
-
-/// Every file.
-fn made() -> Vec<Made> {
+/// Every such file.
+pub fn files() -> Vec<Generated> {
     vec![
-        ("models/cone-160.obj", cone_obj(80).into_bytes()),
-        ("models/cone-162.obj", cone_obj(81).into_bytes()),
+        Generated { path: "scenes/coursework/models/cone-160.obj", text: cone_obj(80) },
+        Generated { path: "scenes/coursework/models/cone-162.obj", text: cone_obj(81) },
     ]
-}
-
-/// Writes every file.
-///
-/// # Errors
-/// The first file that cannot be written.
-pub fn write() -> Result<(), String> {
-    for (path, bytes) in made() {
-        let path = root().join(FOLDER).join(path);
-        let folder = path.parent().unwrap_or(root());
-        fs::create_dir_all(folder)
-            .and_then(|()| fs::write(&path, bytes))
-            .map_err(|e| format!("cannot write {}: {e}", path.display()))?;
-        println!("wrote {}", path.display());
-    }
-    Ok(())
-}
-
-/// Compares every file with what this program makes.
-///
-/// # Errors
-/// The files that differ or are missing.
-pub fn check() -> Result<(), String> {
-    let differs =
-        |(path, bytes): &Made| fs::read(root().join(FOLDER).join(path)).map_or(true, |b| b != *bytes);
-    let others: Vec<&str> = made().iter().filter(|made| differs(made)).map(|(path, _)| *path).collect();
-    if others.is_empty() {
-        println!("models: every file is what `cargo xtask models` makes");
-        Ok(())
-    } else {
-        Err(format!("not what `cargo xtask models` makes, in {FOLDER}: {}", others.join(", ")))
-    }
 }
 
 /// A cone of 2·`sides` triangles as an OBJ file: 1 m wide and high, its base around the origin, its tip up.
@@ -104,8 +65,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_checked_in_files_are_what_the_program_makes() {
-        assert_eq!(check(), Ok(()));
+    fn the_checked_in_models_are_what_the_program_makes() {
+        assert_eq!(crate::generated::check("models", &files()), Ok(()));
     }
 
     #[test]
