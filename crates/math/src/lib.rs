@@ -15,5 +15,5 @@ pub use bounds::Bounds3;
 pub use color::{ParseColorError, Rgb, linear_from_srgb, srgb_from_linear};
 pub use glam::{Affine3A, Mat3, Quat, Vec2, Vec3};
 pub use power::pow_unit;
-pub use ray::{Ray, offset_origin};
+pub use ray::Ray;
 pub use transform::{Axis, Transform, rotation_from_turn};

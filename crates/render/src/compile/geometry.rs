@@ -67,8 +67,8 @@ pub enum Form {
         mesh: Arc<TriangleMesh>,
         /// Its rays' side, for the slots of its triangles.
         accel: Arc<MeshAccel>,
-        /// The middle of its box, around which pictures are laid when it has no coordinates for them.
-        center: Vec3,
+        /// Its box in its own space. Around its middle pictures are laid when it has no coordinates for them.
+        bounds: Bounds3,
     },
 }
 
@@ -191,7 +191,7 @@ impl Collection {
             self.collected.instances.push((instance, bounds));
         }
         self.triangles += mesh.triangles.len();
-        Ok((Form::Mesh { mesh, accel, center: own.center() }, bounds))
+        Ok((Form::Mesh { mesh, accel, bounds: own }, bounds))
     }
 
     fn mesh_accel(

@@ -63,7 +63,7 @@ pub fn compile(scene: &Scene, assets: &Assets) -> Result<CompiledScene, CompileE
     Ok(CompiledScene {
         accel: Accel::new(geometry.collected, transparencies),
         camera: CompiledCamera::new(&scene.camera),
-        normals: geometry.primitives.iter().map(|p| NormalField::new(&p.form)).collect(),
+        normals: geometry.primitives.iter().map(NormalField::new).collect(),
         primitives: geometry.primitives,
         materials: table.materials,
         textures: table.textures,

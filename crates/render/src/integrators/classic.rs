@@ -14,7 +14,7 @@ use crate::accel::{BLOCK, Hit, HitStream, RayStream};
 use crate::compile::{CompiledMaterial, CompiledScene};
 use crate::samplers::in_pixel;
 use crate::surface::{SurfaceBlock, SurfaceInteraction};
-use vitrine_math::{Ray, Rgb, offset_origin};
+use vitrine_math::{Ray, Rgb};
 use vitrine_optics::{reflect, refract};
 
 /// Light with less weight than this in its pixel is not followed: it is below a tenth of the smallest step of an 8-bit picture.
@@ -228,14 +228,14 @@ fn mirrored(s: &SurfaceInteraction) -> Ray {
     let wi = reflect(s.wo, s.ns);
     // A smooth normal may send it into the surface: then the form's own normal decides.
     let wi = if wi.dot(s.n) > 0.0 { wi } else { reflect(s.wo, s.n) };
-    Ray::new(offset_origin(s.p, s.n), wi.normalize())
+    Ray::new(s.origin(), wi.normalize())
 }
 
 /// The refracted ray, or at total reflection the mirror ray. `refraction` is the index inside over the index outside.
 fn bent(s: &SurfaceInteraction, refraction: f32) -> Ray {
     let eta = if s.is_outside { refraction } else { 1.0 / refraction };
     match refract(s.wo, s.ns, eta) {
-        Some(wi) if wi.dot(s.n) < 0.0 => Ray::new(offset_origin(s.p, -s.n), wi.normalize()),
+        Some(wi) if wi.dot(s.n) < 0.0 => Ray::new(s.origin_beyond(), wi.normalize()),
         _ => mirrored(s),
     }
 }

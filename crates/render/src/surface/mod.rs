@@ -1,12 +1,21 @@
 //! What shading needs to know of the points where rays meet surfaces, worked out once a hit, sixteen at a time.
 
-use crate::accel::packet::{along3, dot, load3, sub3};
+mod coordinates;
+mod field;
+
+pub use field::NormalField;
+
+use crate::accel::packet::{along3, load3};
 use crate::accel::simd::{Kernel, Simd};
 use crate::accel::{BLOCK, Column, Hit, HitStream, NOTHING, RayStream};
 use crate::compile::{CompiledScene, Form, Primitive, unit_normal};
-use std::f32::consts::PI;
-use vitrine_math::{Ray, Vec2, Vec3, offset_origin};
+use field::Fields;
+use vitrine_math::{Ray, Transform, Vec3};
 use vitrine_scene::TriangleMesh;
+
+/// How far rays start from the surface that they leave, as a part of the largest number that took part in finding it: some
+/// times what rounding can move, and far less than can be seen.
+const LIFT: f32 = 16.0 * f32::EPSILON;
 
 /// Points of surfaces, each seen along a ray. Places without a hit mean nothing.
 #[derive(Clone, Copy, Debug)]
@@ -24,12 +33,22 @@ pub struct SurfaceBlock {
     pub wo: [Column; 3],
     /// 1 where the viewer is on the outer side, else −1.
     side: Column,
+    /// How far from the surface rays start that leave it.
+    lift: Column,
 }
 
 impl SurfaceBlock {
     pub const EMPTY: Self = {
         let zero3 = [[0.0; BLOCK]; 3];
-        Self { p: zero3, origin: zero3, n: zero3, ns: zero3, wo: zero3, side: [0.0; BLOCK] }
+        Self {
+            p: zero3,
+            origin: zero3,
+            n: zero3,
+            ns: zero3,
+            wo: zero3,
+            side: [0.0; BLOCK],
+            lift: [0.0; BLOCK],
+        }
     };
 
     /// One of the points.
@@ -42,11 +61,12 @@ impl SurfaceBlock {
             ns: at(&self.ns),
             wo: at(&self.wo),
             is_outside: self.side[lane] > 0.0,
+            lift: self.lift[lane],
         }
     }
 
     fn put(&mut self, lane: usize, surface: &SurfaceInteraction) {
-        let origin = offset_origin(surface.p, surface.n);
+        let origin = surface.origin();
         for k in 0..3 {
             self.p[k][lane] = surface.p[k];
             self.origin[k][lane] = origin[k];
@@ -54,6 +74,7 @@ impl SurfaceBlock {
             self.ns[k][lane] = surface.ns[k];
         }
         self.side[lane] = if surface.is_outside { 1.0 } else { -1.0 };
+        self.lift[lane] = surface.lift;
     }
 }
 
@@ -70,37 +91,21 @@ pub struct SurfaceInteraction {
     pub wo: Vec3,
     /// Whether the viewer is on the outer side.
     pub is_outside: bool,
+    /// How far from the surface rays start that leave it.
+    pub lift: f32,
 }
 
-/// A ball's or a flat form's normals in one formula, so that lanes need not part ways: n = (p − center)/radius + flat. A
-/// flat form has 1/radius = 0, a ball flat = 0.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct NormalField {
-    center: [f32; 3],
-    flat: [f32; 3],
-    radius: f32,
-    inv_radius: f32,
-    /// Whether the formula does not hold: boxes, ellipsoids, meshes.
-    is_other: bool,
-}
+impl SurfaceInteraction {
+    /// Where rays start that leave on the viewer's side.
+    #[inline(always)]
+    pub fn origin(&self) -> Vec3 {
+        self.p + self.n * self.lift
+    }
 
-impl NormalField {
-    /// Of a primitive.
-    pub fn new(form: &Form) -> Self {
-        match form {
-            Form::Sphere { center, radius } => Self {
-                center: (*center).into(),
-                radius: *radius,
-                inv_radius: 1.0 / radius,
-                ..Self::default()
-            },
-            Form::Plane { point, n } | Form::Triangle { points: [point, ..], n, .. } => {
-                Self { center: (*point).into(), flat: (*n).into(), ..Self::default() }
-            }
-            Form::Box { .. } | Form::Ellipsoid { .. } | Form::Mesh { .. } => {
-                Self { is_other: true, ..Self::default() }
-            }
-        }
+    /// Where rays start that leave on the other side.
+    #[inline(always)]
+    pub fn origin_beyond(&self) -> Vec3 {
+        self.p - self.n * self.lift
     }
 }
 
@@ -114,30 +119,15 @@ impl CompiledScene {
     /// The same for one hit on a form that needs more than the one formula.
     fn other_surface(&self, ray: &Ray, hit: &Hit) -> SurfaceInteraction {
         let wo = -ray.direction;
-        let (p, outward, smooth) = self.primitives[hit.primitive as usize].point_of_other(ray.at(hit.t), hit);
+        let primitive = hit.primitive as usize;
+        let (p, outward, smooth) = self.primitives[primitive].point_of_other(ray, hit);
         let is_outside = outward.dot(wo) >= 0.0;
         let n = if is_outside { outward } else { -outward };
         let ns = if smooth.dot(n) >= 0.0 { smooth } else { -smooth };
         // A smooth normal that the viewer sees from behind would turn the shading inside out.
         let ns = if ns.dot(wo) > 0.0 { ns } else { n };
-        SurfaceInteraction { p, n, ns, wo, is_outside }
-    }
-
-    /// Where on its surface's pictures a point lies: u to the right, v up.
-    pub(crate) fn texture_point(&self, p: Vec3, hit: &Hit) -> [f32; 2] {
-        let primitive = &self.primitives[hit.primitive as usize];
-        let local = || primitive.transform.object_from_world.transform_point3(p);
-        match &primitive.form {
-            Form::Sphere { .. } | Form::Ellipsoid { .. } => spherical(local()),
-            Form::Plane { .. } => [local().x, -local().z],
-            Form::Box { unit } => face(unit.object_from_world.transform_point3(p)),
-            Form::Triangle { uvs, .. } => mix(uvs.map(Vec2::from), hit.uv).into(),
-            Form::Mesh { mesh, center, .. } if mesh.uvs.is_empty() => spherical(local() - *center),
-            Form::Mesh { mesh, .. } => {
-                let corners = mesh.triangles[hit.triangle as usize];
-                mix(corners.map(|i| mesh.uvs[i as usize]), hit.uv).into()
-            }
-        }
+        let lift = LIFT * self.normals[primitive].reach.max(p.abs().max_element());
+        SurfaceInteraction { p, n, ns, wo, is_outside, lift }
     }
 }
 
@@ -170,13 +160,6 @@ impl Kernel for Surfaces<'_> {
                 let p = along3(s, &load3(s, &rays.origin, start), &d, s.load(&hits.t[start..]));
                 fields.surface(s, surface, start, [p, d]);
             }
-            for lane in 0..BLOCK {
-                let [p, n] = [&surface.p, &surface.n].map(|v| Vec3::new(v[0][lane], v[1][lane], v[2][lane]));
-                let origin = offset_origin(p, n);
-                for k in 0..3 {
-                    surface.origin[k][lane] = origin[k];
-                }
-            }
             while others != 0 {
                 let lane = others.trailing_zeros() as usize;
                 others &= others - 1;
@@ -185,56 +168,6 @@ impl Kernel for Surfaces<'_> {
                     surface.put(lane, &scene.other_surface(&self.rays.get(i), &hit));
                 }
             }
-        }
-    }
-}
-
-/// The normal fields of sixteen hits.
-struct Fields {
-    center: [Column; 3],
-    flat: [Column; 3],
-    radius: Column,
-    inv_radius: Column,
-}
-
-impl Fields {
-    const EMPTY: Self = {
-        let zero = [0.0; BLOCK];
-        Self { center: [zero; 3], flat: [zero; 3], radius: zero, inv_radius: zero }
-    };
-
-    #[inline(always)]
-    fn put(&mut self, lane: usize, field: &NormalField) {
-        for k in 0..3 {
-            self.center[k][lane] = field.center[k];
-            self.flat[k][lane] = field.flat[k];
-        }
-        self.radius[lane] = field.radius;
-        self.inv_radius[lane] = field.inv_radius;
-    }
-
-    /// The points of the surface near points p, seen along d.
-    #[inline(always)]
-    fn surface<S: Simd>(&self, s: S, to: &mut SurfaceBlock, start: usize, [p, d]: [[S::F; 3]; 2]) {
-        let zero = s.splat(0.0);
-        let from_center = sub3(s, &p, &load3(s, &self.center, start));
-        let n = along3(s, &load3(s, &self.flat, start), &from_center, s.load(&self.inv_radius[start..]));
-        // One Newton step towards unit length, which it is but for rounding: n·(3 − ⟨n, n⟩)/2
-        let correction = s.mul(s.sub(s.splat(3.0), dot(s, &n, &n)), s.splat(0.5));
-        let n = along3(s, &[zero; 3], &n, correction);
-        // Back onto the surface: p − n·(⟨n, p − center⟩ − radius)
-        let off = s.sub(s.load(&self.radius[start..]), dot(s, &n, &from_center));
-        let p = along3(s, &p, &n, off);
-        let wo = sub3(s, &[zero; 3], &d);
-        let outside = s.le(zero, dot(s, &n, &wo));
-        let side = s.select(outside, s.splat(1.0), s.splat(-1.0));
-        let n = along3(s, &[zero; 3], &n, side);
-        s.store(side, &mut to.side[start..]);
-        for k in 0..3 {
-            s.store(p[k], &mut to.p[k][start..]);
-            s.store(n[k], &mut to.n[k][start..]);
-            s.store(n[k], &mut to.ns[k][start..]);
-            s.store(wo[k], &mut to.wo[k][start..]);
         }
     }
 }
@@ -250,16 +183,16 @@ impl Primitive {
     }
 
     /// The point on the surface, the outward normal and the normal for shading, of boxes, ellipsoids and meshes.
-    fn point_of_other(&self, p: Vec3, hit: &Hit) -> (Vec3, Vec3, Vec3) {
+    fn point_of_other(&self, ray: &Ray, hit: &Hit) -> (Vec3, Vec3, Vec3) {
         match &self.form {
             Form::Ellipsoid { unit } => {
-                let local = unit.object_from_world.transform_point3(p).normalize();
+                let local = unit.object_from_world.transform_point3(ray.at(hit.t)).normalize();
                 let n = unit.normal(local);
                 (unit.point(local), n, n)
             }
             Form::Box { unit } => {
-                let local = unit.object_from_world.transform_point3(p);
-                let (axis, side) = face_of(local);
+                let (axis, side) = face_hit(ray, hit.t, unit);
+                let local = unit.object_from_world.transform_point3(ray.at(hit.t));
                 let mut on_face = local.clamp(Vec3::NEG_ONE, Vec3::ONE);
                 on_face[axis] = side;
                 let n = unit.normal(Vec3::AXES[axis] * side);
@@ -296,61 +229,31 @@ fn mix3([a, b, c]: [Vec3; 3], [u, v]: [f32; 2]) -> Vec3 {
     a * (1.0 - u - v) + b * u + c * v
 }
 
-fn mix([a, b, c]: [Vec2; 3], [u, v]: [f32; 2]) -> Vec2 {
-    a * (1.0 - u - v) + b * u + c * v
-}
-
-/// Longitude and latitude: the picture's middle towards +Z, its upper edge at +Y.
-fn spherical(p: Vec3) -> [f32; 2] {
-    let r = p.length();
-    if r == 0.0 {
-        return [0.5, 0.5];
+/// The face on which a ray has hit a box, which is the cube from −1 to 1 of a space of its own: its axis and side. Not by
+/// where the point lies: on an edge that could be a face that is turned away from the ray.
+fn face_hit(ray: &Ray, t: f32, unit: &Transform) -> (usize, f32) {
+    let o = unit.object_from_world.transform_point3(ray.origin);
+    let d = unit.object_from_world.transform_vector3(ray.direction);
+    let (mut entry, mut exit) = ((f32::NEG_INFINITY, 0), (f32::INFINITY, 0));
+    for k in 0..3 {
+        let (near, far) = ((-d[k].signum() - o[k]) / d[k], (d[k].signum() - o[k]) / d[k]);
+        if near > entry.0 {
+            entry = (near, k);
+        }
+        if far < exit.0 {
+            exit = (far, k);
+        }
     }
-    [0.5 + libm::atan2f(p.x, p.z) / (2.0 * PI), 0.5 + libm::asinf((p.y / r).clamp(-1.0, 1.0)) / PI]
-}
-
-/// The face of the cube from −1 to 1 on which a point lies: its axis and side.
-fn face_of(p: Vec3) -> (usize, f32) {
-    let a = p.abs();
-    let axis = if a.x >= a.y && a.x >= a.z {
-        0
-    } else if a.y >= a.z {
-        1
+    if (t - entry.0).abs() <= (t - exit.0).abs() {
+        (entry.1, -d[entry.1].signum())
     } else {
-        2
-    };
-    (axis, if p[axis] < 0.0 { -1.0 } else { 1.0 })
-}
-
-/// Each face of the cube shows the whole picture upright, the top and bottom as seen from the front.
-fn face(p: Vec3) -> [f32; 2] {
-    let [u, v] = match face_of(p) {
-        (0, side) => [-side * p.z, p.y],
-        (1, side) => [p.x, -side * p.z],
-        (_, side) => [side * p.x, p.y],
-    };
-    [0.5 * (u + 1.0), 0.5 * (v + 1.0)]
+        (exit.1, d[exit.1].signum())
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn c7_spherical_coordinates() {
-        assert_eq!(spherical(Vec3::Z), [0.5, 0.5]);
-        let [u, v] = spherical(Vec3::X);
-        assert!((u - 0.75).abs() < 1e-6 && v == 0.5, "to the right of the middle");
-        assert!((spherical(Vec3::Y)[1] - 1.0).abs() < 1e-6);
-    }
-
-    #[test]
-    fn c7_faces_are_upright_seen_from_outside() {
-        assert_eq!(face(Vec3::new(0.5, 0.0, 1.0)), [0.75, 0.5], "front: right is +x");
-        assert_eq!(face(Vec3::new(-0.5, 0.0, -1.0)), [0.75, 0.5], "back: right is −x");
-        assert_eq!(face(Vec3::new(1.0, 0.5, -0.5)), [0.75, 0.75], "right side: right is −z");
-        assert_eq!(face(Vec3::new(0.5, 1.0, -0.5)), [0.75, 0.75], "top: up is −z");
-    }
 
     #[test]
     fn c7_barycentric_coordinates_mix_the_corners() {

@@ -1,0 +1,89 @@
+//! Where a point lies on the pictures of its surface.
+
+use crate::accel::Hit;
+use crate::compile::{CompiledScene, Form};
+use std::f32::consts::PI;
+use vitrine_math::{Transform, Vec2, Vec3};
+
+impl CompiledScene {
+    /// Where on its surface's pictures a point lies: u to the right, v up.
+    pub(crate) fn texture_point(&self, p: Vec3, hit: &Hit) -> [f32; 2] {
+        let primitive = &self.primitives[hit.primitive as usize];
+        let local = || primitive.transform.object_from_world.transform_point3(p);
+        match &primitive.form {
+            Form::Sphere { .. } | Form::Ellipsoid { .. } => spherical(local()),
+            Form::Plane { .. } => [local().x, -local().z],
+            Form::Box { unit } => face(unit.object_from_world.transform_point3(p), unit),
+            Form::Triangle { uvs, .. } => mix(uvs.map(Vec2::from), hit.uv).into(),
+            Form::Mesh { mesh, bounds, .. } if mesh.uvs.is_empty() => spherical(local() - bounds.center()),
+            Form::Mesh { mesh, .. } => {
+                let corners = mesh.triangles[hit.triangle as usize];
+                mix(corners.map(|i| mesh.uvs[i as usize]), hit.uv).into()
+            }
+        }
+    }
+}
+
+fn mix([a, b, c]: [Vec2; 3], [u, v]: [f32; 2]) -> Vec2 {
+    a * (1.0 - u - v) + b * u + c * v
+}
+
+/// Longitude and latitude: the picture's middle towards +Z, its upper edge at +Y.
+fn spherical(p: Vec3) -> [f32; 2] {
+    let r = p.length();
+    if r == 0.0 {
+        return [0.5, 0.5];
+    }
+    [0.5 + libm::atan2f(p.x, p.z) / (2.0 * PI), 0.5 + libm::asinf((p.y / r).clamp(-1.0, 1.0)) / PI]
+}
+
+/// The face on which a point of the surface lies, of a box that is the cube from −1 to 1 of a space of its own: its axis and
+/// side. It is the nearest one in the world, where rounding is the same along all axes; a thin box's own space stretches it.
+fn face_of(p: Vec3, unit: &Transform) -> (usize, f32) {
+    let m = unit.world_from_object.matrix3;
+    let away = |k: usize| {
+        let d = p[k].abs() - 1.0;
+        d * d * m.col(k).length_squared()
+    };
+    let away = [away(0), away(1), away(2)];
+    let axis = if away[0] <= away[1] && away[0] <= away[2] {
+        0
+    } else if away[1] <= away[2] {
+        1
+    } else {
+        2
+    };
+    (axis, if p[axis] < 0.0 { -1.0 } else { 1.0 })
+}
+
+/// Each face of the cube shows the whole picture upright, the top and bottom as seen from the front.
+fn face(p: Vec3, unit: &Transform) -> [f32; 2] {
+    let [u, v] = match face_of(p, unit) {
+        (0, side) => [-side * p.z, p.y],
+        (1, side) => [p.x, -side * p.z],
+        (_, side) => [side * p.x, p.y],
+    };
+    [0.5 * (u + 1.0), 0.5 * (v + 1.0)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn c7_spherical_coordinates() {
+        assert_eq!(spherical(Vec3::Z), [0.5, 0.5]);
+        let [u, v] = spherical(Vec3::X);
+        assert!((u - 0.75).abs() < 1e-6 && v == 0.5, "to the right of the middle");
+        assert!((spherical(Vec3::Y)[1] - 1.0).abs() < 1e-6);
+    }
+
+    #[test]
+    fn c7_faces_are_upright_seen_from_outside() {
+        let face = |p| face(p, &Transform::default());
+        assert_eq!(face(Vec3::new(0.5, 0.0, 1.0)), [0.75, 0.5], "front: right is +x");
+        assert_eq!(face(Vec3::new(-0.5, 0.0, -1.0)), [0.75, 0.5], "back: right is −x");
+        assert_eq!(face(Vec3::new(1.0, 0.5, -0.5)), [0.75, 0.75], "right side: right is −z");
+        assert_eq!(face(Vec3::new(0.5, 1.0, -0.5)), [0.75, 0.75], "top: up is −z");
+    }
+}
