@@ -21,7 +21,9 @@ use vitrine_optics::{reflect, refract};
 const MIN_WEIGHT: f32 = 2e-5;
 
 /// So many surfaces a ray may pass on its way; then it sees the background.
-const MAX_CROSSINGS: u8 = 100;
+const MAX_CROSSINGS: u16 = 1000;
+/// A surface that bends the ray counts as so many: such a ray may be caught inside for ever.
+const BEND: u16 = 10;
 
 /// How far the light is followed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,7 +44,7 @@ struct Errand {
     /// How many times it may be mirrored yet.
     reflections: u8,
     /// How many surfaces it has passed.
-    crossings: u8,
+    crossings: u16,
 }
 
 /// Rays that are traced together.
@@ -205,10 +207,11 @@ impl Waves {
             self.sums[errand.pixel as usize] += view.scene.background * errand.weight;
             return;
         }
-        let errand = Errand { crossings: errand.crossings + 1, ..errand };
         if view.material.refraction == 1.0 {
+            let errand = Errand { crossings: errand.crossings + 1, ..errand };
             self.onward.push_on(&self.now.rays.get(view.place), view.hit, errand);
         } else {
+            let errand = Errand { crossings: errand.crossings + BEND, ..errand };
             self.onward.push(&bent(&self.surface(view.place), view.material.refraction), errand);
         }
     }
