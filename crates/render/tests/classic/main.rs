@@ -1,0 +1,16 @@
+//! The classic renderer and the render job seen from outside: a scene goes in, a picture comes out.
+//!
+//! Tests carry the row of the course work that they show (`c8_…`, see PRODUCT.md). Proofs by formula come first, golden
+//! pictures last.
+
+mod acne;
+mod agreement;
+mod common;
+mod glass;
+mod mirrors;
+mod models;
+mod oracle;
+mod phong;
+mod shadows;
+mod shapes;
+mod textures;
