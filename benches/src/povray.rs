@@ -8,13 +8,13 @@ use std::fmt::Write;
 use vitrine_math::{Rgb, Transform, Vec3};
 use vitrine_scene::lights::Emission;
 use vitrine_scene::{
-    Assets, ClassicMaterial, Geometry, Material, MeshPart, Object, Renderer, Scene, TriangleMesh,
+    Assets, ClassicMaterial, Geometry, Material, MeshPart, Object, Pattern, Renderer, Scene, TriangleMesh,
 };
 
 /// Translates a scene.
 ///
 /// # Errors
-/// What the translation does not know: textures, refraction, a model that is not among the assets.
+/// What the translation does not know: textures other than squares on a plane, refraction, a model that is not among the assets.
 pub fn translate(scene: &Scene, assets: &Assets) -> Result<String, String> {
     if scene.settings.renderer != Renderer::Classic {
         return Err("only the classic renderer has a counterpart".into());
@@ -89,21 +89,15 @@ fn lamp(out: &mut String, emission: Emission, color: &str, shadow_points: u32) {
 }
 
 fn body(out: &mut String, scene: &Scene, assets: &Assets, object: &Object) -> Result<(), String> {
-    let depth = scene.settings.depth;
     let place = scene.world_from_object(object);
     let geometry = object.shape.as_kind().geometry(assets).ok_or("its model has not been loaded")?;
     let material = object.material.as_deref().and_then(|m| scene.material(m));
-    if let Geometry::Mesh(mesh) = &geometry {
-        for part in &mesh.parts {
-            let own = part.material.and_then(|m| mesh.materials.get(m));
-            if material.is_none() && own.is_some_and(|m| m.picture.is_some()) {
-                return Err("its model has a picture on it, which is not translated".into());
-            }
-            triangles(out, mesh, part, &place);
-            finish(out, material.or(own.map(|m| &m.material)), depth)?;
-        }
-        return Ok(());
-    }
+    let tiles = match material.and_then(|m| m.texture.as_deref()) {
+        None => None,
+        Some(texture) if matches!(geometry, Geometry::Plane) => Some(tiles(scene, assets, texture, &place)?),
+        Some(_) => return Err("a texture on anything but a plane is not translated".into()),
+    };
+    let depth = scene.settings.depth;
     match geometry {
         Geometry::Sphere { radius } => sphere(out, radius, &place),
         Geometry::Box { half } => cuboid(out, half, &place),
@@ -115,9 +109,44 @@ fn body(out: &mut String, scene: &Scene, assets: &Assets, object: &Object) -> Re
             let [a, b, c] = points.map(|p| vector(place.point(p)));
             put!(out, "triangle {{ {a}, {b}, {c}");
         }
-        Geometry::Mesh(_) => {}
+        Geometry::Mesh(mesh) => {
+            for part in &mesh.parts {
+                let own = part.material.and_then(|m| mesh.materials.get(m));
+                if material.is_none() && own.is_some_and(|m| m.picture.is_some()) {
+                    return Err("its model has a picture on it, which is not translated".into());
+                }
+                triangles(out, &mesh, part, &place);
+                finish(out, material.or(own.map(|m| &m.material)), None, depth)?;
+            }
+            return Ok(());
+        }
     }
-    finish(out, material, depth)
+    finish(out, material, tiles, depth)
+}
+
+/// Squares on a plane: their colours, and what takes the pattern to the plane.
+struct Tiles {
+    colors: [Rgb; 2],
+    place: String,
+}
+
+fn tiles(scene: &Scene, assets: &Assets, texture: &str, place: &Transform) -> Result<Tiles, String> {
+    let texture = scene.texture(texture).ok_or("its texture is missing")?;
+    let Some(Pattern::Checker { colors }) = texture.source.as_kind().pattern(assets) else {
+        return Err("a texture that is a picture is not translated".into());
+    };
+    // POV-Ray's checker is made of cubes of side 1. Two of them make a repeat, u goes along x and v along −z; half a cube
+    // up, so that the plane cuts them in the middle.
+    let ([u, v], [shift_u, shift_v]) = (texture.repeat, texture.shift);
+    let place = format!(
+        "translate <{}, -0.5, {}> scale <{}, 1, {}> {}",
+        -2.0 * shift_u,
+        -2.0 * shift_v,
+        0.5 / u,
+        -0.5 / v,
+        matrix(place)
+    );
+    Ok(Tiles { colors, place })
 }
 
 /// A sphere, with its place in its own numbers where that can be: POV-Ray is slower with a matrix.
@@ -166,24 +195,31 @@ fn triangles(out: &mut String, mesh: &TriangleMesh, part: &MeshPart, place: &Tra
 }
 
 /// The material, and the end of the object. A surface without one is light grey.
-fn finish(out: &mut String, material: Option<&Material>, depth: u32) -> Result<(), String> {
+fn finish(
+    out: &mut String,
+    material: Option<&Material>,
+    tiles: Option<Tiles>,
+    depth: u32,
+) -> Result<(), String> {
     let default = Material::default();
     let material = material.unwrap_or(&default);
-    if material.texture.is_some() {
-        return Err(format!("the texture of `{}` is not translated", material.name));
-    }
     let ClassicMaterial { color, diffuse, specular, shininess, reflectivity, transparency, refraction } =
         material.classic();
     if transparency > 0.0 && refraction != 1.0 {
         return Err(format!("the refraction of `{}` is not translated", material.name));
+    }
+    let through = |color| format!("{} transmit {transparency}", rgb(color));
+    match tiles {
+        None => put!(out, "  pigment {{ color {} }}", through(color)),
+        Some(Tiles { colors: [a, b], place }) => {
+            put!(out, "  pigment {{ checker color {}, color {} {place} }}", through(a), through(b));
+        }
     }
     // At the end of the recursion a mirror shows its own colour; where that is the first surface, no mirror is needed.
     let reflectivity = if depth > 0 { reflectivity } else { 0.0 };
     // POV-Ray itself weakens pigment, so ambient and diffuse, by the transparency; the rest is weakened here.
     let opacity = 1.0 - transparency;
     let own = 1.0 - reflectivity;
-    let Rgb { r, g, b } = color;
-    put!(out, "  pigment {{ color rgb <{r}, {g}, {b}> transmit {transparency} }}");
     put!(
         out,
         "  finish {{ ambient {own} diffuse {} phong {} phong_size {shininess} reflection {} }}",
@@ -274,6 +310,18 @@ mod tests {
             text.contains("ambient 0.5 diffuse 0.25 phong 0.0625 phong_size 20 reflection 0.125"),
             "{text}"
         );
+    }
+
+    #[test]
+    fn squares_lie_on_a_plane_as_in_its_own_space() {
+        let ground = Object { shape: Shape::Plane(Plane::default()), ..Object::default() };
+        let tiled = Material { texture: Some("tiles".into()), ..Material::default() };
+        let mut tiled = scene(ground, tiled);
+        let (repeat, shift) = ([0.25, 0.5], [1.0, 2.0]);
+        tiled.textures.push(Texture { name: "tiles".into(), repeat, shift, ..Texture::default() });
+        let text = translated(&tiled);
+        // A repeat of 0.25 a metre is two squares of 2 m each; v grows towards −z.
+        assert!(text.contains("translate <-2, -0.5, -4> scale <2, 1, -1> matrix <1, 0, -0, 0,"), "{text}");
     }
 
     #[test]
