@@ -31,6 +31,8 @@ macro_rules! template {
 pub const TEMPLATES: &[Template] = &[
     template!("", "empty"),
     template!("coursework/", "benchmark", "models/cone-160.obj", "models/cone-162.obj"),
+    template!("coursework/", "two-mirror-spheres"),
+    template!("coursework/", "soft-shadows", "models/cone-160.obj"),
 ];
 
 /// What to do with a file that is there already and differs.
