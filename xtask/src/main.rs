@@ -9,6 +9,7 @@ mod docs;
 mod generated;
 mod layers;
 mod models;
+mod textures;
 
 use serde_json::Value;
 use std::path::Path;
@@ -21,6 +22,7 @@ cargo xtask check    everything that a change must pass
 cargo xtask layers   the crates' dependencies against the picture in ARCHITECTURE.md
 cargo xtask docs     makes docs/scene-file.md and docs/vitrine.schema.json; with --check only compares
 cargo xtask models   makes the models of the example scenes; with --check only compares
+cargo xtask textures makes the pictures on the example scenes' things; with --check only compares
 ";
 
 fn main() -> ExitCode {
@@ -29,6 +31,8 @@ fn main() -> ExitCode {
     let outcome = match words[..] {
         ["check"] => check::run(),
         ["layers"] => check_layers(),
+        ["textures"] => textures::write(),
+        ["textures", "--check"] => textures::check(),
         ["docs"] => generated::write(&docs::files()),
         ["docs", "--check"] => generated::check("docs", &docs::files()),
         ["models"] => generated::write(&models::files()),

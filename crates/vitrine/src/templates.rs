@@ -32,6 +32,8 @@ pub const TEMPLATES: &[Template] = &[
     template!("", "empty"),
     template!("coursework/", "benchmark", "models/cone-160.obj", "models/cone-162.obj"),
     template!("coursework/", "two-mirror-spheres"),
+    template!("coursework/", "textured-sphere", "textures/globe.png"),
+    template!("coursework/", "textured-triangle", "textures/leaded-window.png"),
     template!("coursework/", "soft-shadows", "models/cone-160.obj"),
 ];
 
