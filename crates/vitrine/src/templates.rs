@@ -31,6 +31,7 @@ macro_rules! template {
 pub const TEMPLATES: &[Template] = &[
     template!("", "empty"),
     template!("coursework/", "benchmark", "models/cone-160.obj", "models/cone-162.obj"),
+    template!("coursework/", "transparent-sphere", "models/cone-160.obj"),
     template!("coursework/", "two-mirror-spheres"),
     template!("coursework/", "textured-sphere", "textures/globe.png"),
     template!("coursework/", "textured-triangle", "textures/leaded-window.png"),
