@@ -5,7 +5,7 @@
 
 use vitrine_math::{Bounds3, Vec3};
 
-/// The deepest stack that a traversal needs: [`MAX_DEPTH`] levels of surface area splits and then halvings, which end
+/// The deepest stack that a traversal needs: `MAX_DEPTH` levels of surface area splits and then halvings, which end
 /// after 32 levels for any number of items that fits 32 bits, with room for leaves split by kind.
 pub const STACK: usize = MAX_DEPTH + 32 + 8;
 const MAX_DEPTH: usize = 56;
