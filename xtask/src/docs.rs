@@ -1,6 +1,7 @@
 //! `cargo xtask docs`: the documents that are made from the code.
 
-use crate::generated::Generated;
+use crate::generated::{self, Generated};
+use crate::links;
 use vitrine::formats::scene_file;
 
 /// Every such document.
@@ -11,16 +12,26 @@ pub fn files() -> Vec<Generated> {
     ]
 }
 
+/// Compares the documents with what the code says, and follows the links of all documents.
+///
+/// # Errors
+/// The documents that differ, or the links that lead to no file.
+pub fn check() -> Result<(), String> {
+    generated::check("docs", &files())?;
+    let broken = links::broken()?;
+    if broken.is_empty() { Ok(()) } else { Err(format!("links:\n  {}", broken.join("\n  "))) }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{generated, root};
+    use crate::root;
     use std::fs;
     use std::path::Path;
 
     #[test]
-    fn the_checked_in_documents_are_what_the_code_says() {
-        assert_eq!(generated::check("docs", &files()), Ok(()));
+    fn the_checked_in_documents_are_what_the_code_says_and_links_lead_somewhere() {
+        assert_eq!(check(), Ok(()));
     }
 
     /// The text of each block in a fence of that language.
