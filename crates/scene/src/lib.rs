@@ -7,6 +7,7 @@
 mod assets;
 mod camera;
 mod check;
+mod declare;
 mod group;
 pub mod lights;
 pub mod materials;
