@@ -4,7 +4,11 @@
 #![allow(clippy::unwrap_used)]
 
 mod benchmark;
+mod mirrors;
+mod shadows;
 mod support;
+mod textures;
+mod transparency;
 
 use support::{all_scenes, load};
 use vitrine::scene::lights::Emission;
@@ -12,7 +16,7 @@ use vitrine::scene::lights::Emission;
 #[test]
 fn every_scene_is_read_without_a_word_and_can_be_rendered() {
     let files = all_scenes();
-    assert!(files.len() >= 2, "{files:?}");
+    assert!(files.len() >= 7, "{files:?}");
     for file in files {
         let project = load(&file);
         assert!(project.warnings().is_empty(), "{file}: {:?}", project.warnings());
