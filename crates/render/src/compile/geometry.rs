@@ -1,6 +1,7 @@
 //! Objects as primitives that rays can hit.
 
 use super::materials::MaterialTable;
+use super::touching::drawn_back;
 use crate::accel::primitives::cuboid::Unit;
 use crate::accel::primitives::plane::Plane;
 use crate::accel::primitives::sphere::Sphere;
@@ -95,13 +96,22 @@ pub fn collect(
     for object in scene.objects.iter().filter(|o| places.is_seen(o)) {
         let missing = || CompileError::MissingModel { object: object.name.clone() };
         let geometry = object.shape.as_kind().geometry(assets).ok_or_else(missing)?;
-        let (material, by_triangle) = match (&object.material, &geometry) {
+        let (materials, by_triangle) = match (&object.material, &geometry) {
             (None, Geometry::Mesh(mesh)) if !mesh.materials.is_empty() => {
                 (table.add_slots(mesh, assets)?, true)
             }
-            (name, _) => (table.find(&object.name, name.as_deref())?, false),
+            (name, _) => {
+                let material = table.find(&object.name, name.as_deref())?;
+                (material..material + 1, false)
+            }
         };
+        let material = materials.start;
         let transform = places.world_from_object(object);
+        let (geometry, transform) = if table.is_any_transparent(materials) {
+            drawn_back(geometry, transform, all.next_id())
+        } else {
+            (geometry, transform)
+        };
         let (form, bounds) = all.form(object, geometry, &transform)?;
         all.bounds = all.bounds.union(bounds);
         all.collected.materials.push(MaterialSlots { first: material, by_triangle });

@@ -2,6 +2,7 @@
 
 use crate::error::CompileError;
 use std::collections::HashMap;
+use std::ops::Range;
 use std::sync::Arc;
 use vitrine_math::Rgb;
 use vitrine_optics::PhongSurface;
@@ -136,8 +137,14 @@ impl MaterialTable {
             .ok_or_else(|| CompileError::MissingName { owner: owner.to_owned(), name: name.to_owned() })
     }
 
-    /// Adds a model's own materials. Slot 0 is that of triangles without any, slot k + 1 the model's material k.
-    pub fn add_slots(&mut self, mesh: &TriangleMesh, assets: &Assets) -> Result<u32, CompileError> {
+    /// Whether light passes any of these materials.
+    pub fn is_any_transparent(&self, materials: Range<u32>) -> bool {
+        self.materials[materials.start as usize..materials.end as usize].iter().any(|m| m.transparency > 0.0)
+    }
+
+    /// Adds a model's own materials; gives their indices. Slot 0 is that of triangles without any, slot k + 1 the model's
+    /// material k.
+    pub fn add_slots(&mut self, mesh: &TriangleMesh, assets: &Assets) -> Result<Range<u32>, CompileError> {
         let first = self.materials.len() as u32;
         self.materials.push(self.materials[self.unstated as usize].clone());
         for slot in &mesh.materials {
@@ -153,7 +160,7 @@ impl MaterialTable {
             };
             self.materials.push(CompiledMaterial::new(&slot.material, texture));
         }
-        Ok(first)
+        Ok(first..self.materials.len() as u32)
     }
 }
 

@@ -4,10 +4,12 @@
 mod camera;
 mod geometry;
 mod materials;
+mod touching;
 
 pub use camera::CompiledCamera;
 pub use geometry::{Form, Primitive, unit_normal};
 pub use materials::{CompiledMaterial, CompiledTexture};
+pub use touching::reach_of;
 
 use crate::accel::Accel;
 use crate::accel::simd::Instructions;

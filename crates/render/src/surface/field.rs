@@ -4,8 +4,8 @@ use super::{LIFT, SurfaceBlock};
 use crate::accel::packet::{along3, dot, load3, sub3};
 use crate::accel::simd::Simd;
 use crate::accel::{BLOCK, Column};
-use crate::compile::{Form, Primitive};
-use vitrine_math::{Transform, Vec3};
+use crate::compile::{Form, Primitive, reach_of};
+use vitrine_math::Vec3;
 
 /// A ball's or a flat form's normals in one formula, so that lanes need not part ways: n = (p − center)/radius + flat. A
 /// flat form has 1/radius = 0, a ball flat = 0.
@@ -49,15 +49,6 @@ impl NormalField {
             }
         }
     }
-}
-
-/// The largest number on the way to the world and back, of a form in a space of its own whose coordinates reach so far.
-fn reach_of(transform: &Transform, size: Vec3) -> f32 {
-    let m = &transform.world_from_object;
-    let turned = (m.matrix3.x_axis * size.x).abs()
-        + (m.matrix3.y_axis * size.y).abs()
-        + (m.matrix3.z_axis * size.z).abs();
-    (turned + m.translation.abs()).max_element()
 }
 
 /// The normal fields of sixteen hits.

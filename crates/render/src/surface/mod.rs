@@ -15,7 +15,7 @@ use vitrine_scene::TriangleMesh;
 
 /// How far rays start from the surface that they leave, as a part of the largest number that took part in finding it: some
 /// times what rounding can move, and far less than can be seen.
-const LIFT: f32 = 16.0 * f32::EPSILON;
+pub const LIFT: f32 = 16.0 * f32::EPSILON;
 
 /// Points of surfaces, each seen along a ray. Places without a hit mean nothing.
 #[derive(Clone, Copy, Debug)]

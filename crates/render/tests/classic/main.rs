@@ -5,6 +5,7 @@
 
 mod acne;
 mod agreement;
+mod coincident;
 mod common;
 mod glass;
 mod mirrors;
