@@ -91,7 +91,7 @@ fn noise(p: Vec3) -> f32 {
 
 /// Seas and lands of no real planet, with lines every 30 degrees.
 fn globe() -> Image {
-    paint([608, 304], |at| {
+    paint([584, 292], |at| {
         let (longitude, latitude) = (std::f32::consts::TAU * at.x, std::f32::consts::PI * (at.y - 0.5));
         let ring = libm::cosf(latitude);
         let p = Vec3::new(ring * libm::sinf(longitude), libm::sinf(latitude), ring * libm::cosf(longitude));
@@ -110,11 +110,11 @@ fn globe() -> Image {
     })
 }
 
-/// Pieces of coloured glass between strips of lead.
+/// Pieces of coloured glass between strips of lead, framed for a triangle with its tip in the middle above.
 fn leaded_window() -> Image {
     const COLORS: [u32; 7] = [0xc4262e, 0xe8a317, 0x1f5fa8, 0x2e8b57, 0x6a3d9a, 0xf2d16b, 0x2aa7b8];
     const CELLS: f32 = 7.0;
-    paint([400, 400], |at| {
+    paint([512, 512], |at| {
         let p = at * CELLS;
         // The two nearest of the cells' middles; the second a whole cell away at most.
         let (mut nearest, mut second, mut piece) = (f32::MAX, f32::MAX, 0);
@@ -129,11 +129,14 @@ fn leaded_window() -> Image {
                 second = second.min(distance);
             }
         }
-        let color = srgb(COLORS[(hash::mix(piece ^ 5) % COLORS.len() as u32) as usize]);
+        // Any number gives other colours; with this one few neighbours are alike.
+        let color = srgb(COLORS[(hash::mix(piece ^ 8) % COLORS.len() as u32) as usize]);
         let cloud = 1.0 + 0.7 * noise(Vec3::new(p.x, p.y, hash::unit(piece) * 9.0) * 1.5);
         let lead = 1.0 - ramp(0.05, 0.085, second - nearest);
-        let edge = at.min(Vec2::ONE - at).min_element() * CELLS;
-        let frame = 1.0 - ramp(0.10, 0.14, edge);
+        // The sides of the triangle (0, 0), (1, 0), (½, 1): v = 0, v = 2u, v = 2 − 2u.
+        let slant = 5.0_f32.sqrt();
+        let edge = at.y.min((2.0 * at.x - at.y) / slant).min((2.0 - 2.0 * at.x - at.y) / slant) * CELLS;
+        let frame = 1.0 - ramp(0.08, 0.12, edge);
         (color * cloud).lerp(srgb(0x1b1c20), lead.max(frame))
     })
 }
