@@ -30,7 +30,7 @@ pub fn write() -> Result<(), String> {
     Ok(())
 }
 
-/// Compares every picture with what [`write`] would write.
+/// Compares every picture with what [`write()`] would write.
 ///
 /// # Errors
 /// The first that differs or is missing.
