@@ -31,7 +31,7 @@ fn interrupt(child: &Child) {
 
 /// C15.
 #[test]
-fn the_picture_so_far_is_kept() {
+fn c15_the_picture_so_far_is_kept() {
     let folder = Folder::with_scene();
     let (mut child, events) = start_long_render(&folder);
     interrupt(&child);

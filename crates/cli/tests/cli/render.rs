@@ -43,7 +43,7 @@ fn bits_and_quality() {
 
 /// C16.
 #[test]
-fn the_same_bytes_on_any_number_of_threads() {
+fn c16_the_same_bytes_on_any_number_of_threads() {
     let folder = Folder::with_scene();
     for threads in ["1", "2", "3", "8"] {
         let name = format!("{threads}.png");
