@@ -1,7 +1,8 @@
 //! The nearest hit of each ray of a stream.
 
 use super::bvh::Node;
-use super::packet::{Packet, Visitor, traverse};
+use super::packet::{Entry, Packet, Visitor, traverse};
+use super::primitives::triangle::Crossing;
 use super::primitives::{Span, cuboid, plane, sphere, triangle};
 use super::simd::{Kernel, Simd};
 use super::stream::{BLOCK, HitBlock, HitStream, NOTHING, RayBlock, RayStream};
@@ -11,7 +12,8 @@ impl Accel {
     /// Finds the nearest hit of each ray after its start and before its end.
     ///
     /// Of surfaces at the same distance the one counts that comes first among the scene's primitives, and then among its
-    /// mesh's triangles: so a hit never depends on the way through the tree or on the rays beside it.
+    /// mesh's triangles. A hit that rounding puts before the box that holds it counts as at the box. So a hit never depends on
+    /// the way through the tree or on the rays beside it: a box is passed over only when all in it is farther.
     pub fn closest(&self, rays: &RayStream, hits: &mut HitStream) {
         hits.blocks.resize(rays.blocks.len(), HitBlock::EMPTY);
         self.instructions.run(Closest { accel: self, rays: &rays.blocks, hits: &mut hits.blocks });
@@ -33,9 +35,11 @@ impl Kernel for Closest<'_> {
             for start in (0..BLOCK).step_by(S::LANES) {
                 let packet = Packet::load(s, rays, start);
                 let mut nearest = Nearest::new(s, rays, start);
+                let anywhere = s.splat(f32::NEG_INFINITY);
                 for p in &self.accel.planes {
                     let t = plane::distance(s, &packet, p);
-                    nearest.offer(s, nearest.active, t, p.primitive);
+                    let hit = Crossing::at(s, nearest.active, t);
+                    nearest.offer(s, &hit, anywhere, [p.primitive, 0]);
                 }
                 let mut walk = Walk { accel: self.accel, nearest };
                 traverse(s, &self.accel.bvh.nodes, &packet, &mut walk);
@@ -80,25 +84,25 @@ impl<S: Simd> Nearest<S> {
 
     /// Offers the first crossing of a closed form after the start.
     #[inline(always)]
-    fn offer_span(&mut self, s: S, span: &Span<S>, primitive: u32) {
+    fn offer_span(&mut self, s: S, span: &Span<S>, from: S::F, primitive: u32) {
         let id = s.splat(f32::from_bits(primitive));
-        let near = self.is_after_start(s, span.near, id, s.splat(0.0));
-        self.offer(s, span.mask, s.select(near, span.near, span.far), primitive);
+        let entry = s.max(from, span.near);
+        let enters = s.and(s.lt(s.splat(0.0), span.near), self.is_after_start(s, entry, id, s.splat(0.0)));
+        let t = s.select(enters, span.near, span.far);
+        self.offer(s, &Crossing::at(s, span.mask, t), from, [primitive, 0]);
     }
 
-    /// Takes a hit in the lanes of the mask where it is nearer, or as near and of an earlier primitive.
+    /// Takes a hit of a triangle of a primitive in the lanes of its mask where it is nearer, or as near and of an earlier
+    /// primitive. It counts as no nearer than `from`.
     #[inline(always)]
-    fn offer(&mut self, s: S, mask: S::M, t: S::F, primitive: u32) {
-        let zero = s.splat(0.0);
-        self.offer_triangle(s, &triangle::Crossing { mask, t, u: zero, v: zero }, primitive, 0);
-    }
-
-    #[inline(always)]
-    fn offer_triangle(&mut self, s: S, hit: &triangle::Crossing<S>, primitive: u32, triangle: u32) {
+    fn offer(&mut self, s: S, hit: &Crossing<S>, from: S::F, [primitive, triangle]: [u32; 2]) {
         let id = s.splat(f32::from_bits(primitive));
         let sub = s.splat(f32::from_bits(triangle));
-        let mut take = s.and(hit.mask, s.lt(hit.t, self.t));
-        let ties = s.and(hit.mask, s.eq(hit.t, self.t));
+        // In this order of the two a NaN stays one.
+        let t = s.max(from, hit.t);
+        let mask = s.and(hit.mask, s.lt(s.splat(0.0), hit.t));
+        let mut take = s.and(mask, s.lt(t, self.t));
+        let ties = s.and(mask, s.eq(t, self.t));
         if s.any(ties) {
             // A ray's own end, with nothing hit, is no tie.
             let something = s.lt(self.primitive, s.splat(f32::from_bits(NOTHING)));
@@ -108,8 +112,8 @@ impl<S: Simd> Nearest<S> {
         if !s.any(take) {
             return;
         }
-        let take = s.and(take, self.is_after_start(s, hit.t, id, sub));
-        self.t = s.select(take, hit.t, self.t);
+        let take = s.and(take, self.is_after_start(s, t, id, sub));
+        self.t = s.select(take, t, self.t);
         self.primitive = s.select(take, id, self.primitive);
         self.triangle = s.select(take, sub, self.triangle);
         self.u = s.select(take, hit.u, self.u);
@@ -170,14 +174,14 @@ impl<S: Simd> Visitor<S> for Walk<'_, S> {
     }
 
     #[inline(always)]
-    fn leaf(&mut self, s: S, packet: &Packet<S>, node: &Node, mask: S::M) {
+    fn leaf(&mut self, s: S, packet: &Packet<S>, node: &Node, Entry { mask, near }: Entry<S>) {
         let run = node.first as usize..(node.first + node.count()) as usize;
         let (accel, nearest) = (self.accel, &mut self.nearest);
         match node.kind_or_axis() {
             leaf::SPHERE => {
                 for ball in &accel.spheres[run] {
                     if let Some(span) = sphere::span(s, packet, ball.center, ball.radius, mask) {
-                        nearest.offer_span(s, &span, ball.primitive);
+                        nearest.offer_span(s, &span, near, ball.primitive);
                     }
                 }
             }
@@ -185,7 +189,7 @@ impl<S: Simd> Visitor<S> for Walk<'_, S> {
                 for unit in &accel.boxes[run] {
                     let inside = packet.transformed(s, &unit.unit_from_world);
                     if let Some(span) = cuboid::span(s, &inside, mask) {
-                        nearest.offer_span(s, &span, unit.primitive);
+                        nearest.offer_span(s, &span, near, unit.primitive);
                     }
                 }
             }
@@ -193,21 +197,21 @@ impl<S: Simd> Visitor<S> for Walk<'_, S> {
                 for unit in &accel.ellipsoids[run] {
                     let inside = packet.transformed(s, &unit.unit_from_world);
                     if let Some(span) = sphere::span(s, &inside, [0.0; 3], 1.0, mask) {
-                        nearest.offer_span(s, &span, unit.primitive);
+                        nearest.offer_span(s, &span, near, unit.primitive);
                     }
                 }
             }
             leaf::TRIANGLE => {
                 for t in &accel.triangles[run] {
                     if let Some(hit) = triangle::crossing(s, packet, t, mask) {
-                        nearest.offer_triangle(s, &hit, t.id, 0);
+                        nearest.offer(s, &hit, near, [t.id, 0]);
                     }
                 }
             }
             _ => {
                 for instance in &accel.instances[run] {
                     let inside = packet.transformed(s, &instance.mesh_from_world);
-                    let mut walk = MeshWalk { instance, nearest: *nearest };
+                    let mut walk = MeshWalk { instance, from: near, nearest: *nearest };
                     walk.nearest.active = mask;
                     traverse(s, &instance.mesh.bvh.nodes, &inside, &mut walk);
                     let active = nearest.active;
@@ -221,6 +225,8 @@ impl<S: Simd> Visitor<S> for Walk<'_, S> {
 /// The way through a mesh's tree.
 struct MeshWalk<'a, S: Simd> {
     instance: &'a Instance,
+    /// Where the rays enter the instance's box.
+    from: S::F,
     nearest: Nearest<S>,
 }
 
@@ -243,11 +249,12 @@ impl<S: Simd> Visitor<S> for MeshWalk<'_, S> {
     }
 
     #[inline(always)]
-    fn leaf(&mut self, s: S, packet: &Packet<S>, node: &Node, mask: S::M) {
+    fn leaf(&mut self, s: S, packet: &Packet<S>, node: &Node, Entry { mask, near }: Entry<S>) {
         let run = node.first as usize..(node.first + node.count()) as usize;
         for t in &self.instance.mesh.triangles[run] {
             if let Some(hit) = triangle::crossing(s, packet, t, mask) {
-                self.nearest.offer_triangle(s, &hit, self.instance.primitive, t.id);
+                let from = s.max(self.from, near);
+                self.nearest.offer(s, &hit, from, [self.instance.primitive, t.id]);
             }
         }
     }

@@ -56,11 +56,13 @@ impl<S: Simd> Packet<S> {
         Self::new(s, moved, turned(s, to, &self.d))
     }
 
-    /// Which rays pass the box between `t_min` and `t_max`. Never misses for want of precision: the far side is rounded up
-    /// (Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013).
+    /// Which rays pass the box between `t_min` and `t_max`, and where they enter it, which may be behind their origins. Never
+    /// misses for want of precision: the far side is rounded up (Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013).
+    ///
+    /// Rounding keeps order, so a ray never enters a box before the boxes around it.
     #[inline(always)]
-    pub fn meets_box(&self, s: S, node: &Node, t_min: S::F, t_max: S::F) -> S::M {
-        let mut near = t_min;
+    pub fn meets_box(&self, s: S, node: &Node, t_min: S::F, t_max: S::F) -> Entry<S> {
+        let mut near = s.splat(f32::NEG_INFINITY);
         let mut far = t_max;
         for k in 0..3 {
             let t0 = s.mul(s.sub(s.splat(node.min[k]), self.o[k]), self.inv[k]);
@@ -68,7 +70,7 @@ impl<S: Simd> Packet<S> {
             near = s.max(near, s.min(t0, t1));
             far = s.min(far, s.mul(s.max(t0, t1), s.splat(1.000_000_5)));
         }
-        s.le(near, far)
+        Entry { mask: s.le(s.max(near, t_min), far), near }
     }
 }
 
@@ -125,6 +127,15 @@ pub fn along3<S: Simd>(s: S, a: &[S::F; 3], b: &[S::F; 3], t: S::F) -> [S::F; 3]
     [s.add(a[0], s.mul(b[0], t)), s.add(a[1], s.mul(b[1], t)), s.add(a[2], s.mul(b[2], t))]
 }
 
+/// Where rays enter a node's box.
+#[derive(Clone, Copy)]
+pub struct Entry<S: Simd> {
+    /// The rays that do.
+    pub mask: S::M,
+    /// Where; may be behind their origins.
+    pub near: S::F,
+}
+
 /// What a walk through a tree does at its leaves.
 pub trait Visitor<S: Simd> {
     /// Whether nearer children go first. Without it each ray meets its leaves in one order, whatever rays are beside it.
@@ -135,8 +146,8 @@ pub trait Visitor<S: Simd> {
     fn t_min(&self, s: S) -> S::F;
     /// Hits beyond these distances are of no use.
     fn t_max(&self) -> S::F;
-    /// A leaf: primitives `first..first + count` of its kind, for the rays of the mask.
-    fn leaf(&mut self, s: S, packet: &Packet<S>, leaf: &Node, mask: S::M);
+    /// A leaf: primitives `first..first + count` of its kind, for the rays that enter its box.
+    fn leaf(&mut self, s: S, packet: &Packet<S>, leaf: &Node, entry: Entry<S>);
 }
 
 /// Takes a packet through a tree.
@@ -150,8 +161,9 @@ pub fn traverse<S: Simd, V: Visitor<S>>(s: S, nodes: &[Node], packet: &Packet<S>
     let mut index = 0_u32;
     loop {
         let node = &nodes[index as usize];
-        let mask = s.and(visitor.active(s), packet.meets_box(s, node, visitor.t_min(s), visitor.t_max()));
-        if s.any(mask) {
+        let mut entry = packet.meets_box(s, node, visitor.t_min(s), visitor.t_max());
+        entry.mask = s.and(visitor.active(s), entry.mask);
+        if s.any(entry.mask) {
             if node.count() == 0 {
                 let second = if V::NEAREST_FIRST { packet.down >> node.kind_or_axis() & 1 } else { 0 };
                 stack[top] = node.first + 1 - second;
@@ -159,7 +171,7 @@ pub fn traverse<S: Simd, V: Visitor<S>>(s: S, nodes: &[Node], packet: &Packet<S>
                 index = node.first + second;
                 continue;
             }
-            visitor.leaf(s, packet, node, mask);
+            visitor.leaf(s, packet, node, entry);
         }
         if top == 0 {
             return;

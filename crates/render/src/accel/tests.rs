@@ -235,3 +235,55 @@ fn a_ray_that_ends_before_it_begins_finds_nothing() {
     rays.push(&Ray { origin: Vec3::ZERO, direction: Vec3::X, t_max: -1.0 });
     assert_eq!(closest(&accel, &rays), [None]);
 }
+
+/// A net of triangles over whole numbers, turned so that rounding has a say, and rays at its knots and edges, where two to six
+/// triangles are hit at about the same distance.
+fn net() -> (Accel, Vec<Ray>) {
+    let turn = vitrine_math::rotation_from_turn(Vec3::new(30.0, 40.0, 10.0));
+    let knot = |i: u32, j: u32| Vec3::new(i as f32, 0.0, j as f32) - Vec3::new(10.0, 0.0, 10.0);
+    let mut triangles = Vec::new();
+    for (i, j) in (0..20).flat_map(|i| (0..20).map(move |j| (i, j))) {
+        let [a, b, c, d] = [knot(i, j), knot(i + 1, j), knot(i + 1, j + 1), knot(i, j + 1)];
+        triangles.extend([[a, b, c], [a, c, d]]);
+    }
+    let corners: Vec<_> = triangles.iter().map(|t| t.map(|p| turn * p)).collect();
+    let all: Vec<_> = corners.iter().enumerate().map(|(i, c)| Triangle::new(*c, i as u32)).collect();
+    let bounds = |t: &Triangle| Bounds3::around(corners[t.id as usize]);
+    let mut p = Primitives::default();
+    for primitive in 0..2 {
+        let mesh = Arc::new(MeshAccel::new(&all, bounds, Vec::new()));
+        p.instances.push((
+            Instance { mesh_from_world: Affine3A::IDENTITY, mesh, primitive },
+            around(Vec3::ZERO, 15.0),
+        ));
+        p.materials.push(MaterialSlots { first: 0, by_triangle: false });
+    }
+    let mut numbers = Numbers(77);
+    let rays = (0..6000_u32).map(|k| {
+        let at = turn * (knot(k % 20, k / 20 % 20) + Vec3::new(if k % 3 == 0 { 0.5 } else { 0.0 }, 0.0, 0.0));
+        let origin = numbers.vector() * 30.0;
+        Ray::new(origin, (at - origin).normalize())
+    });
+    (Accel::new(p, vec![0.5]), rays.collect())
+}
+
+/// A picture's bytes depend on no packet: rays alone find what they find among others, in any order.
+#[test]
+fn a_hit_does_not_depend_on_the_rays_beside_it() {
+    let (accel, rays) = net();
+    let trace = |order: &[usize]| {
+        let mut stream = RayStream::default();
+        order.iter().for_each(|i| stream.push(&rays[*i]));
+        let mut found = vec![None; rays.len()];
+        order.iter().zip(closest(&accel, &stream)).for_each(|(i, hit)| found[*i] = hit);
+        found
+    };
+    let in_order: Vec<_> = (0..rays.len()).collect();
+    let hits = trace(&in_order);
+    assert!(hits.iter().flatten().count() > 5000);
+    for step in [7, 11, 1201, 3001] {
+        let other: Vec<_> = (0..rays.len()).map(|i| i * step % rays.len()).collect();
+        let differ = trace(&other).iter().zip(&hits).filter(|(a, b)| a != b).count();
+        assert_eq!(differ, 0, "of {} rays", rays.len());
+    }
+}

@@ -1,7 +1,7 @@
 //! How much light passes along each shadow ray: every surface that it crosses lets its material's transparency through.
 
 use super::bvh::Node;
-use super::packet::{Packet, Visitor, traverse};
+use super::packet::{Entry, Packet, Visitor, traverse};
 use super::primitives::{Span, cuboid, plane, sphere, triangle};
 use super::simd::{Kernel, Simd};
 use super::stream::{BLOCK, RayBlock, RayStream};
@@ -103,7 +103,7 @@ impl<S: Simd> Visitor<S> for Walk<'_, S> {
     }
 
     #[inline(always)]
-    fn leaf(&mut self, s: S, packet: &Packet<S>, node: &Node, mask: S::M) {
+    fn leaf(&mut self, s: S, packet: &Packet<S>, node: &Node, Entry { mask, .. }: Entry<S>) {
         let run = node.first as usize..(node.first + node.count()) as usize;
         let (accel, light) = (self.accel, &mut self.light);
         match node.kind_or_axis() {
@@ -179,7 +179,7 @@ impl<S: Simd> Visitor<S> for MeshWalk<'_, S> {
     }
 
     #[inline(always)]
-    fn leaf(&mut self, s: S, packet: &Packet<S>, node: &Node, mask: S::M) {
+    fn leaf(&mut self, s: S, packet: &Packet<S>, node: &Node, Entry { mask, .. }: Entry<S>) {
         let run = node.first as usize..(node.first + node.count()) as usize;
         for t in &self.instance.mesh.triangles[run] {
             if let Some(hit) = triangle::crossing(s, packet, t, mask) {

@@ -37,6 +37,15 @@ pub struct Crossing<S: Simd> {
     pub v: S::F,
 }
 
+impl<S: Simd> Crossing<S> {
+    /// A crossing of another form, without barycentric coordinates.
+    #[inline(always)]
+    pub fn at(s: S, mask: S::M, t: S::F) -> Self {
+        let zero = s.splat(0.0);
+        Self { mask, t, u: zero, v: zero }
+    }
+}
+
 /// Where the rays cross the triangle, from either side; None when no lane does.
 #[inline(always)]
 pub fn crossing<S: Simd>(s: S, p: &Packet<S>, triangle: &Triangle, mask: S::M) -> Option<Crossing<S>> {
