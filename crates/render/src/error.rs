@@ -1,5 +1,6 @@
 //! What can go wrong before a picture is rendered.
 
+use crate::compile::FARTHEST;
 use vitrine_film::RegionError;
 
 /// Why a scene cannot be made ready.
@@ -25,9 +26,17 @@ pub enum CompileError {
         /// The name.
         name: String,
     },
-    /// Numbers so large that they leave the range of 32-bit floats.
-    #[error("the object `{object}` is too large or too far away to compute with")]
+    /// Coordinates so large that products of them leave the range of 32-bit floats.
+    #[error(
+        "the object `{object}` is too large or too far away: no part of it may be beyond {FARTHEST:e} metres"
+    )]
     OutOfRange {
+        /// The object.
+        object: String,
+    },
+    /// Edges or scales so small that their inverses leave the range of 32-bit floats.
+    #[error("the object `{object}` is too small or too thin to compute with")]
+    TooThin {
         /// The object.
         object: String,
     },

@@ -1,5 +1,6 @@
 //! Objects as primitives that rays can hit.
 
+use super::limits::{is_near_enough, is_wide_enough};
 use super::materials::MaterialTable;
 use super::touching::drawn_back;
 use crate::accel::primitives::cuboid::Unit;
@@ -135,12 +136,19 @@ impl Collection {
             Geometry::Triangle { points, uvs } => self.triangle(points.map(|p| transform.point(p)), uvs),
             Geometry::Mesh(mesh) => self.mesh(object, mesh, transform)?,
         };
-        let has_inverse = transform.object_from_world.is_finite();
-        if has_inverse && (bounds.is_empty() || is_usable(&bounds)) {
-            Ok((form, bounds))
-        } else {
-            Err(CompileError::OutOfRange { object: object.name.clone() })
+        let (is_near, is_wide) = match &form {
+            Form::Plane { point, .. } => (is_near_enough(&Bounds3::around([*point])), true),
+            Form::Box { unit } | Form::Ellipsoid { unit } => (true, is_wide_enough(unit)),
+            Form::Sphere { .. } | Form::Triangle { .. } | Form::Mesh { .. } => (true, true),
+        };
+        let object = || object.name.clone();
+        if !(is_near && (bounds.is_empty() || is_near_enough(&bounds))) {
+            return Err(CompileError::OutOfRange { object: object() });
         }
+        if !(is_wide && is_wide_enough(transform)) {
+            return Err(CompileError::TooThin { object: object() });
+        }
+        Ok((form, bounds))
     }
 
     /// The place of the primitive that is being added.
@@ -189,7 +197,7 @@ impl Collection {
         transform: &Transform,
     ) -> Result<(Form, Bounds3), CompileError> {
         let own = mesh.bounds();
-        if !mesh.triangles.is_empty() && !is_usable(&own) {
+        if !mesh.triangles.is_empty() && !is_near_enough(&own) {
             return Err(CompileError::OutOfRange { object: object.name.clone() });
         }
         let accel = self.mesh_accel(object, &mesh)?;
@@ -231,12 +239,7 @@ impl Collection {
 /// A cube or ball of radius 1 stretched to that half size: its space, its record and its box.
 fn unit_form(half: Vec3, transform: &Transform, primitive: u32) -> (Transform, Unit, Bounds3) {
     let unit = transform.after(&Transform::from_place(Vec3::ZERO, Vec3::ZERO, half));
-    let bounds = if unit.object_from_world.is_finite() {
-        unit.bounds(&Bounds3 { min: Vec3::NEG_ONE, max: Vec3::ONE })
-    } else {
-        // So thin that its own space cannot be reached: the check on boxes refuses it.
-        Bounds3 { min: Vec3::splat(f32::NEG_INFINITY), max: Vec3::splat(f32::INFINITY) }
-    };
+    let bounds = unit.bounds(&Bounds3 { min: Vec3::NEG_ONE, max: Vec3::ONE });
     (unit, Unit { unit_from_world: unit.object_from_world, primitive }, bounds)
 }
 
@@ -251,12 +254,6 @@ fn slots(mesh: &TriangleMesh) -> Vec<u16> {
         slots[part.triangles.clone()].fill(slot);
     }
     slots
-}
-
-/// Whether a form of this size can be computed with: squares of its coordinates stay finite.
-fn is_usable(bounds: &Bounds3) -> bool {
-    let farthest = bounds.min.abs().max(bounds.max.abs()).max_element();
-    bounds.min.is_finite() && bounds.max.is_finite() && (farthest * farthest).is_finite()
 }
 
 /// The unit normal of a triangle, counter-clockwise seen from its tip; any unit vector for one without area.

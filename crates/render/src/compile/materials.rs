@@ -1,5 +1,6 @@
 //! Materials and textures by index.
 
+use super::limits::dimmed;
 use crate::error::CompileError;
 use std::collections::HashMap;
 use std::ops::Range;
@@ -28,7 +29,7 @@ impl CompiledMaterial {
         let m = material.classic();
         Self {
             phong: PhongSurface {
-                color: m.color,
+                color: dimmed(m.color),
                 diffuse: m.diffuse,
                 specular: m.specular,
                 shininess: m.shininess,
@@ -53,8 +54,8 @@ impl CompiledTexture {
     /// The colour at a point of the surface: u to the right, v up.
     #[must_use]
     pub fn color(&self, [u, v]: [f32; 2]) -> Rgb {
-        let u = u * self.repeat[0] + self.shift[0];
-        let v = v * self.repeat[1] + self.shift[1];
+        let u = within_limits(u * self.repeat[0] + self.shift[0]);
+        let v = within_limits(v * self.repeat[1] + self.shift[1]);
         match &self.pattern {
             Pattern::Checker { colors } => {
                 let squares = floor(2.0 * u).wrapping_add(floor(2.0 * v));
@@ -63,6 +64,12 @@ impl CompiledTexture {
             Pattern::Picture { picture, wrap } => bilinear(picture, *wrap, u, v),
         }
     }
+}
+
+/// No more repeats than fractions can tell apart. A number that is none goes to the limit, too.
+fn within_limits(x: f32) -> f32 {
+    const MOST: f32 = 1e9;
+    if x > -MOST { x.min(MOST) } else { -MOST }
 }
 
 /// The mean of the four texels around the point, each by its nearness.
@@ -90,6 +97,14 @@ fn floor(x: f32) -> i64 {
     whole.saturating_sub(i64::from((whole as f32) > x))
 }
 
+/// A pattern whose colours can be computed with.
+fn bounded(pattern: Pattern) -> Pattern {
+    match pattern {
+        Pattern::Checker { colors } => Pattern::Checker { colors: colors.map(dimmed) },
+        Pattern::Picture { .. } => pattern,
+    }
+}
+
 /// All materials and textures, by name while compiling.
 pub struct MaterialTable {
     pub materials: Vec<CompiledMaterial>,
@@ -106,7 +121,7 @@ impl MaterialTable {
         for (i, texture) in scene.textures.iter().enumerate() {
             let pattern = texture.source.as_kind().pattern(assets);
             let missing = || CompileError::MissingPicture { texture: texture.name.clone() };
-            let pattern = pattern.ok_or_else(missing)?;
+            let pattern = bounded(pattern.ok_or_else(missing)?);
             textures.push(CompiledTexture { pattern, repeat: texture.repeat, shift: texture.shift });
             texture_index.insert(texture.name.as_str(), i);
         }

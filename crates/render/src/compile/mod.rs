@@ -3,11 +3,13 @@
 
 mod camera;
 mod geometry;
+mod limits;
 mod materials;
 mod touching;
 
 pub use camera::CompiledCamera;
 pub use geometry::{Form, Primitive, unit_normal};
+pub use limits::FARTHEST;
 pub use materials::{CompiledMaterial, CompiledTexture};
 pub use touching::reach_of;
 
@@ -56,8 +58,8 @@ pub fn compile(scene: &Scene, assets: &Assets) -> Result<CompiledScene, CompileE
     let transparencies = table.materials.iter().map(|m| m.transparency).collect();
     let (mut lights, mut ambient) = (Vec::new(), Rgb::BLACK);
     for light in scene.lights.iter().filter(|l| l.visible && l.intensity > 0.0) {
-        let radiance = light.color * light.intensity;
-        match light.source.as_kind().emission() {
+        let radiance = limits::dimmed(light.color * light.intensity);
+        match limits::drawn_in(light.source.as_kind().emission()) {
             Emission::Everywhere => ambient += radiance,
             emission => lights.push(CompiledLight { emission, radiance }),
         }
@@ -70,8 +72,8 @@ pub fn compile(scene: &Scene, assets: &Assets) -> Result<CompiledScene, CompileE
         materials: table.materials,
         textures: table.textures,
         lights,
-        ambient,
-        background: scene.settings.background,
+        ambient: limits::dimmed(ambient),
+        background: limits::dimmed(scene.settings.background),
         bounds: geometry.bounds,
         triangles: geometry.triangles,
         mesh_memory: geometry.mesh_memory,

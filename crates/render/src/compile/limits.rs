@@ -1,0 +1,49 @@
+//! What can be computed with in 32-bit floats. Every number that a scene may hold is finite; here those are refused or drawn in
+//! whose products would not be.
+
+use vitrine_math::{Bounds3, Rgb, Transform, Vec3};
+use vitrine_scene::lights::Emission;
+
+/// No coordinate may be larger, metres: the product of three still is a number.
+pub const FARTHEST: f32 = 1e12;
+/// Nothing may be stretched or squeezed more: the squares of the inverse still are numbers.
+const STEEPEST: f32 = 1e18;
+/// Farther lamps shine as if from here, metres. Squares of it are numbers.
+const LAMP_FARTHEST: f32 = 1e18;
+/// The brightest light and the brightest colour: their product, summed over all samples and thousands of lamps, is a number.
+const BRIGHTEST: f32 = 1e15;
+
+/// Whether a form in this box can be computed with.
+pub fn is_near_enough(bounds: &Bounds3) -> bool {
+    bounds.min.abs().max(bounds.max.abs()).cmple(Vec3::splat(FARTHEST)).all()
+}
+
+/// Whether one can go from the world into a space of a form's own and bring normals back.
+pub fn is_wide_enough(transform: &Transform) -> bool {
+    let m = transform.object_from_world;
+    [m.matrix3.x_axis, m.matrix3.y_axis, m.matrix3.z_axis]
+        .iter()
+        .all(|axis| axis.abs().max_element() <= STEEPEST)
+        && m.translation.is_finite()
+}
+
+/// A colour or a light that is no brighter than products and sums allow.
+pub fn dimmed(color: Rgb) -> Rgb {
+    Rgb::from(color.to_array().map(|c| c.min(BRIGHTEST)))
+}
+
+/// A lamp that is no farther than squares allow, and in the same direction: smaller and nearer in proportion.
+pub fn drawn_in(emission: Emission) -> Emission {
+    let share = |position: Vec3, radius: f32| {
+        let farthest = position.abs().max_element().max(radius);
+        (LAMP_FARTHEST / farthest).min(1.0)
+    };
+    match emission {
+        Emission::Point { position } => Emission::Point { position: position * share(position, 0.0) },
+        Emission::Disc { position, radius } => {
+            let share = share(position, radius);
+            Emission::Disc { position: position * share, radius: radius * share }
+        }
+        Emission::Everywhere | Emission::Direction { .. } => emission,
+    }
+}
