@@ -103,6 +103,11 @@ fn not_all_alike(shot: &Shot) {
     assert!(picture.pixels.iter().all(|p: &Rgb| p.is_finite()));
 }
 
+/// Opaque shiny things in the light of two bulbs, a sun and the air.
+pub fn lit_scene() -> Shot {
+    scene(20, Finish::Shiny)
+}
+
 fn check(finish: Finish, allowed: f32, seeds: std::ops::Range<u32>) {
     for seed in seeds {
         let shot = scene(seed, finish);

@@ -5,13 +5,17 @@
 
 mod acne;
 mod agreement;
+mod bad_scenes;
 mod coincident;
 mod common;
 mod glass;
+mod job;
 mod mirrors;
 mod models;
 mod oracle;
 mod phong;
 mod shadows;
 mod shapes;
+mod soft;
 mod textures;
+mod views;
