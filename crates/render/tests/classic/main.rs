@@ -8,6 +8,7 @@ mod agreement;
 mod bad_scenes;
 mod coincident;
 mod common;
+mod dice;
 mod glass;
 mod job;
 mod mirrors;
