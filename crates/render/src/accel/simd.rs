@@ -21,6 +21,8 @@ pub trait Simd: Copy {
     type F: Copy;
     /// A yes or no in each lane.
     type M: Copy;
+    /// Which lane each lane is to come from.
+    type Order: Copy;
 
     /// The same value in each lane.
     fn splat(self, v: f32) -> Self::F;
@@ -40,6 +42,8 @@ pub trait Simd: Copy {
     fn sqrt(self, a: Self::F) -> Self::F;
     /// |a|
     fn abs(self, a: Self::F) -> Self::F;
+    /// The largest whole number that is not above a.
+    fn floor(self, a: Self::F) -> Self::F;
     /// a if a < b, else b (so b where either is NaN).
     fn min(self, a: Self::F, b: Self::F) -> Self::F;
     /// a if a > b, else b (so b where either is NaN).
@@ -60,6 +64,11 @@ pub trait Simd: Copy {
     fn select(self, mask: Self::M, yes: Self::F, no: Self::F) -> Self::F;
     /// A bit for each lane, the first lane the lowest.
     fn bits(self, mask: Self::M) -> u32;
+    /// The order that moves the lanes of the mask together, in turn, from the lane `shift` on and around the end. Where
+    /// none is left stands the first lane.
+    fn packed(self, mask: Self::M, shift: usize) -> Self::Order;
+    /// The lanes in that order.
+    fn permute(self, v: Self::F, order: Self::Order) -> Self::F;
 
     /// `x^y` by [`pow_unit`], with its range and precision.
     #[inline(always)]
@@ -174,6 +183,7 @@ impl Simd for Portable {
     const LANES: usize = 8;
     type F = [f32; 8];
     type M = u8;
+    type Order = [u8; 8];
 
     lanewise! {
         add(a, b) -> F = |x, y| x + y;
@@ -182,6 +192,7 @@ impl Simd for Portable {
         div(a, b) -> F = |x, y| x / y;
         sqrt(a) -> F = |x| x.sqrt();
         abs(a) -> F = |x| x.abs();
+        floor(a) -> F = |x| x.floor();
         min(a, b) -> F = |x, y| if x < y { x } else { y };
         max(a, b) -> F = |x, y| if x > y { x } else { y };
     }
@@ -223,14 +234,41 @@ impl Simd for Portable {
     fn bits(self, mask: u8) -> u32 {
         u32::from(mask)
     }
+    #[inline(always)]
+    fn packed(self, mask: u8, shift: usize) -> [u8; 8] {
+        let together = TOGETHER[usize::from(mask)];
+        std::array::from_fn(|i| together[i.wrapping_sub(shift) % 8])
+    }
+    #[inline(always)]
+    fn permute(self, v: [f32; 8], order: [u8; 8]) -> [f32; 8] {
+        order.map(|i| v[usize::from(i) % 8])
+    }
 }
+
+/// The lanes of each mask of eight in turn, then zeros.
+const TOGETHER: [[u8; 8]; 256] = {
+    let mut all = [[0; 8]; 256];
+    let mut mask = 0;
+    while mask < 256 {
+        let (mut lane, mut rank) = (0, 0);
+        while lane < 8 {
+            if mask >> lane & 1 != 0 {
+                all[mask][rank] = lane as u8;
+                rank += 1;
+            }
+            lane += 1;
+        }
+        mask += 1;
+    }
+    all
+};
 
 #[cfg(target_arch = "x86_64")]
 pub use x86::{Avx2, Avx512};
 
 #[cfg(target_arch = "x86_64")]
 mod x86 {
-    use super::Simd;
+    use super::{Simd, TOGETHER};
     use std::arch::x86_64::*;
 
     /// Proof that the processor has AVX2; 8 lanes.
@@ -255,6 +293,7 @@ mod x86 {
         const LANES: usize = 8;
         type F = __m256;
         type M = __m256;
+        type Order = __m256i;
 
         intrinsics! {
             splat(v: f32) -> __m256 = _mm256_set1_ps(v);
@@ -264,6 +303,7 @@ mod x86 {
             div(a: __m256, b: __m256) -> __m256 = _mm256_div_ps(a, b);
             sqrt(a: __m256) -> __m256 = _mm256_sqrt_ps(a);
             abs(a: __m256) -> __m256 = _mm256_andnot_ps(_mm256_set1_ps(-0.0), a);
+            floor(a: __m256) -> __m256 = _mm256_floor_ps(a);
             min(a: __m256, b: __m256) -> __m256 = _mm256_min_ps(a, b);
             max(a: __m256, b: __m256) -> __m256 = _mm256_max_ps(a, b);
             lt(a: __m256, b: __m256) -> __m256 = _mm256_cmp_ps::<_CMP_LT_OQ>(a, b);
@@ -274,6 +314,19 @@ mod x86 {
             and_not(a: __m256, b: __m256) -> __m256 = _mm256_andnot_ps(b, a);
             select(mask: __m256, yes: __m256, no: __m256) -> __m256 = _mm256_blendv_ps(no, yes, mask);
             bits(mask: __m256) -> u32 = _mm256_movemask_ps(mask) as u32;
+            permute(v: __m256, order: __m256i) -> __m256 = _mm256_permutevar8x32_ps(v, order);
+        }
+
+        #[inline(always)]
+        fn packed(self, mask: __m256, shift: usize) -> __m256i {
+            let together = i64::from_le_bytes(TOGETHER[self.bits(mask) as usize & 255]);
+            // SAFETY: `self` proves that the processor has the instructions. Of each index they take the low 3 bits.
+            unsafe {
+                let together = _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(together));
+                let lanes = _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7);
+                let ranks = _mm256_sub_epi32(lanes, _mm256_set1_epi32(shift as i32));
+                _mm256_permutevar8x32_epi32(together, ranks)
+            }
         }
 
         #[inline(always)]
@@ -294,6 +347,7 @@ mod x86 {
         const LANES: usize = 16;
         type F = __m512;
         type M = __mmask16;
+        type Order = __m512i;
 
         intrinsics! {
             splat(v: f32) -> __m512 = _mm512_set1_ps(v);
@@ -303,12 +357,25 @@ mod x86 {
             div(a: __m512, b: __m512) -> __m512 = _mm512_div_ps(a, b);
             sqrt(a: __m512) -> __m512 = _mm512_sqrt_ps(a);
             abs(a: __m512) -> __m512 = _mm512_abs_ps(a);
+            floor(a: __m512) -> __m512 = _mm512_roundscale_ps::<{ _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC }>(a);
             min(a: __m512, b: __m512) -> __m512 = _mm512_min_ps(a, b);
             max(a: __m512, b: __m512) -> __m512 = _mm512_max_ps(a, b);
             lt(a: __m512, b: __m512) -> __mmask16 = _mm512_cmp_ps_mask::<_CMP_LT_OQ>(a, b);
             le(a: __m512, b: __m512) -> __mmask16 = _mm512_cmp_ps_mask::<_CMP_LE_OQ>(a, b);
             eq(a: __m512, b: __m512) -> __mmask16 = _mm512_cmp_ps_mask::<_CMP_EQ_OQ>(a, b);
             select(mask: __mmask16, yes: __m512, no: __m512) -> __m512 = _mm512_mask_blend_ps(mask, no, yes);
+            permute(v: __m512, order: __m512i) -> __m512 = _mm512_permutexvar_ps(order, v);
+        }
+
+        #[inline(always)]
+        fn packed(self, mask: __mmask16, shift: usize) -> __m512i {
+            // SAFETY: `self` proves that the processor has the instructions. Of each index they take the low 4 bits.
+            unsafe {
+                let lanes = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+                let together = _mm512_maskz_compress_epi32(mask, lanes);
+                let ranks = _mm512_sub_epi32(lanes, _mm512_set1_epi32(shift as i32));
+                _mm512_permutexvar_epi32(ranks, together)
+            }
         }
 
         #[inline(always)]
@@ -359,7 +426,7 @@ mod tests {
                 s.store(v, &mut lanes);
                 lanes[..S::LANES].iter().map(|v| if v.is_nan() { 1 } else { v.to_bits() }).collect::<Vec<_>>()
             };
-            let mut rows: Vec<Vec<u32>> = vec![Vec::new(); 14];
+            let mut rows: Vec<Vec<u32>> = vec![Vec::new(); 15];
             for start in (0..16).step_by(S::LANES) {
                 let (a, b) = (s.load(&self.0[start..]), s.load(&self.1[start..]));
                 let (lt, le, eq) = (s.lt(a, b), s.le(a, b), s.eq(a, b));
@@ -370,6 +437,7 @@ mod tests {
                     s.div(a, b),
                     s.sqrt(a),
                     s.abs(a),
+                    s.floor(a),
                     s.min(a, b),
                     s.max(a, b),
                     s.select(lt, a, b),
@@ -401,5 +469,36 @@ mod tests {
             assert_eq!(result, &results[0]);
         }
         assert_eq!(results[0][2], 4.0_f32.to_bits(), "1 + 3");
+    }
+
+    /// The lanes of a mask, packed, by what the documentation says.
+    struct Packing<'a>(&'a [f32; 16], u32, usize);
+
+    impl Kernel for Packing<'_> {
+        type Output = ();
+        #[inline(always)]
+        fn run<S: Simd>(self, s: S) {
+            let Self(values, bits, shift) = self;
+            let shift = shift % S::LANES;
+            let wanted: [f32; 16] = std::array::from_fn(|i| (bits >> i & 1) as f32);
+            let mask = s.lt(s.splat(0.0), s.load(&wanted));
+            let mut lanes = [0.0; 16];
+            s.store(s.permute(s.load(values), s.packed(mask, shift)), &mut lanes);
+            let chosen: Vec<f32> = (0..S::LANES).filter(|i| bits >> i & 1 != 0).map(|i| values[i]).collect();
+            for rank in 0..S::LANES {
+                let expected = chosen.get(rank).unwrap_or(&values[0]);
+                assert_eq!(lanes[(rank + shift) % S::LANES], *expected, "mask {bits:b}, shift {shift}");
+            }
+        }
+    }
+
+    #[test]
+    fn packing_keeps_the_order_of_lanes() {
+        let values: [f32; 16] = std::array::from_fn(|i| 1.0 + i as f32);
+        for set in Instructions::available() {
+            for bits in [0, 1, 0x8000, 0xffff, 0x8181, 0x5a3c, 0x00ff, 0xff00, 0x7ffe] {
+                (0..16).for_each(|shift| set.run(Packing(&values, bits, shift)));
+            }
+        }
     }
 }
