@@ -143,7 +143,7 @@ impl<'a> RenderJob<'a> {
                 tile: plan.tiles[tile],
                 samples: plan.blocks[block].clone(),
             });
-            if send.send(Piece { tile, block, sums, rays }).is_err() {
+            if send.send(Piece { tile, block, sums: sums.to_vec(), rays }).is_err() {
                 return;
             }
         }

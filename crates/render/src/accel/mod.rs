@@ -13,7 +13,7 @@ mod stream;
 mod transmittance;
 
 pub use packet::Packet;
-pub use stream::{BLOCK, Column, Hit, HitStream, NOTHING, RayStream};
+pub use stream::{BLOCK, Column, Hit, HitBlock, HitStream, NOTHING, RayBlock, RayStream};
 
 use bvh::{Bvh, Item};
 use primitives::cuboid::Unit;

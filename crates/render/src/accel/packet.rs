@@ -47,13 +47,7 @@ impl<S: Simd> Packet<S> {
     /// The same rays in another space; distances keep their meaning.
     #[inline(always)]
     pub fn transformed(&self, s: S, to: &Affine3A) -> Self {
-        let [x, y, z] = turned(s, to, &self.o);
-        let moved = [
-            s.add(x, s.splat(to.translation.x)),
-            s.add(y, s.splat(to.translation.y)),
-            s.add(z, s.splat(to.translation.z)),
-        ];
-        Self::new(s, moved, turned(s, to, &self.d))
+        Self::new(s, moved(s, to, &self.o), turned(s, to, &self.d))
     }
 
     /// Which rays pass the box between `t_min` and `t_max`, and where they enter it, which may be behind their origins. Never
@@ -77,6 +71,15 @@ impl<S: Simd> Packet<S> {
 // The kernels below spell out all three components: closures over lanes would not be inlined into the functions that have
 // the instruction set switched on.
 
+/// A map of points in each lane.
+#[inline(always)]
+pub fn moved<S: Simd>(s: S, to: &Affine3A, p: &[S::F; 3]) -> [S::F; 3] {
+    let [x, y, z] = turned(s, to, p);
+    let by = to.translation;
+    [s.add(x, s.splat(by.x)), s.add(y, s.splat(by.y)), s.add(z, s.splat(by.z))]
+}
+
+/// The linear part of a map in each lane.
 #[inline(always)]
 fn turned<S: Simd>(s: S, to: &Affine3A, v: &[S::F; 3]) -> [S::F; 3] {
     let m = to.matrix3.to_cols_array();
@@ -125,6 +128,32 @@ pub fn sub3<S: Simd>(s: S, a: &[S::F; 3], b: &[S::F; 3]) -> [S::F; 3] {
 #[inline(always)]
 pub fn along3<S: Simd>(s: S, a: &[S::F; 3], b: &[S::F; 3], t: S::F) -> [S::F; 3] {
     [s.add(a[0], s.mul(b[0], t)), s.add(a[1], s.mul(b[1], t)), s.add(a[2], s.mul(b[2], t))]
+}
+
+/// a·t in each lane.
+#[inline(always)]
+pub fn scale3<S: Simd>(s: S, a: &[S::F; 3], t: S::F) -> [S::F; 3] {
+    [s.mul(a[0], t), s.mul(a[1], t), s.mul(a[2], t)]
+}
+
+/// a/|a| in each lane.
+#[inline(always)]
+pub fn unit3<S: Simd>(s: S, a: &[S::F; 3]) -> [S::F; 3] {
+    scale3(s, a, s.div(s.splat(1.0), s.sqrt(dot(s, a, a))))
+}
+
+/// `yes` in lanes of the mask, else `no`.
+#[inline(always)]
+pub fn select3<S: Simd>(s: S, mask: S::M, yes: &[S::F; 3], no: &[S::F; 3]) -> [S::F; 3] {
+    [s.select(mask, yes[0], no[0]), s.select(mask, yes[1], no[1]), s.select(mask, yes[2], no[2])]
+}
+
+/// Into columns.
+#[inline(always)]
+pub fn store3<S: Simd>(s: S, v: &[S::F; 3], to: &mut [Column; 3], start: usize) {
+    s.store(v[0], &mut to[0][start..]);
+    s.store(v[1], &mut to[1][start..]);
+    s.store(v[2], &mut to[2][start..]);
 }
 
 /// Where rays enter a node's box.

@@ -38,6 +38,15 @@ impl RayBlock {
     };
 }
 
+impl RayBlock {
+    /// One of them.
+    #[inline(always)]
+    pub(crate) fn get(&self, lane: usize) -> Ray {
+        let at = |v: &[Column; 3]| Vec3::new(v[0][lane], v[1][lane], v[2][lane]);
+        Ray { origin: at(&self.origin), direction: at(&self.direction), t_max: self.t_max[lane] }
+    }
+}
+
 /// Rays to be traced.
 ///
 /// A ray starts at its origin, or after a hit: one that goes straight on through a surface is the same ray, started after
@@ -66,6 +75,14 @@ impl RayStream {
     pub fn clear(&mut self) {
         self.blocks.clear();
         self.len = 0;
+    }
+
+    /// Makes places for so many rays in all. The caller writes what is new, to the end of the last block.
+    #[inline(always)]
+    pub(crate) fn resize(&mut self, len: usize) -> &mut [RayBlock] {
+        self.blocks.resize(len.div_ceil(BLOCK), RayBlock::EMPTY);
+        self.len = len;
+        &mut self.blocks
     }
 
     /// Adds a ray that starts at its origin.
@@ -111,9 +128,7 @@ impl RayStream {
     #[inline(always)]
     #[must_use]
     pub fn get(&self, i: usize) -> Ray {
-        let (block, lane) = (&self.blocks[i / BLOCK], i % BLOCK);
-        let at = |v: &[Column; 3]| Vec3::new(v[0][lane], v[1][lane], v[2][lane]);
-        Ray { origin: at(&block.origin), direction: at(&block.direction), t_max: block.t_max[lane] }
+        self.blocks[i / BLOCK].get(i % BLOCK)
     }
 }
 
@@ -135,6 +150,19 @@ impl HitBlock {
         let zero = [0.0; BLOCK];
         Self { t: zero, primitive: zero, triangle: zero, u: zero, v: zero }
     };
+}
+
+impl HitBlock {
+    /// One of them; of [`NOTHING`] where nothing is hit.
+    #[inline(always)]
+    pub(crate) fn get(&self, lane: usize) -> Hit {
+        Hit {
+            t: self.t[lane],
+            primitive: self.primitive[lane].to_bits(),
+            triangle: self.triangle[lane].to_bits(),
+            uv: [self.u[lane], self.v[lane]],
+        }
+    }
 }
 
 /// The nearest hits of a stream of rays.
@@ -170,13 +198,7 @@ impl HitStream {
     #[inline(always)]
     #[must_use]
     pub fn get(&self, i: usize) -> Option<Hit> {
-        let (block, lane) = (&self.blocks[i / BLOCK], i % BLOCK);
-        let primitive = block.primitive[lane].to_bits();
-        (primitive != NOTHING).then(|| Hit {
-            t: block.t[lane],
-            primitive,
-            triangle: block.triangle[lane].to_bits(),
-            uv: [block.u[lane], block.v[lane]],
-        })
+        let hit = self.blocks[i / BLOCK].get(i % BLOCK);
+        (hit.primitive != NOTHING).then_some(hit)
     }
 }

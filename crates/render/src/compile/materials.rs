@@ -1,7 +1,11 @@
 //! Materials and textures by index.
 
 use super::limits::dimmed;
+use crate::accel::BLOCK;
+use crate::accel::packet::{load3, select3, splat3};
+use crate::accel::simd::Simd;
 use crate::error::CompileError;
+use crate::surface::lanes_of;
 use std::collections::HashMap;
 use std::ops::Range;
 use std::sync::Arc;
@@ -51,25 +55,47 @@ pub struct CompiledTexture {
 }
 
 impl CompiledTexture {
-    /// The colour at a point of the surface: u to the right, v up.
-    #[must_use]
-    pub fn color(&self, [u, v]: [f32; 2]) -> Rgb {
-        let u = within_limits(u * self.repeat[0] + self.shift[0]);
-        let v = within_limits(v * self.repeat[1] + self.shift[1]);
+    /// The colours at points of the surface in the lanes of the mask: u to the right, v up.
+    #[inline(always)]
+    pub fn colors<S: Simd>(&self, s: S, mask: S::M, uv: &[S::F; 2]) -> [S::F; 3] {
+        let [u, v] = [self.along(s, uv[0], 0), self.along(s, uv[1], 1)];
         match &self.pattern {
             Pattern::Checker { colors } => {
-                let squares = floor(2.0 * u).wrapping_add(floor(2.0 * v));
-                colors[usize::from(squares & 1 != 0)]
+                let two = s.splat(2.0);
+                let u_is_odd = is_odd(s, s.floor(s.mul(two, u)));
+                let v_is_odd = is_odd(s, s.floor(s.mul(two, v)));
+                let other = s.or(s.and_not(u_is_odd, v_is_odd), s.and_not(v_is_odd, u_is_odd));
+                let [even, odd] = colors.map(Rgb::to_array);
+                select3(s, other, &splat3(s, odd), &splat3(s, even))
             }
-            Pattern::Picture { picture, wrap } => bilinear(picture, *wrap, u, v),
+            Pattern::Picture { picture, wrap } => {
+                let (mut at, mut colors) = ([[0.0; BLOCK]; 2], [[0.0; BLOCK]; 3]);
+                s.store(u, &mut at[0]);
+                s.store(v, &mut at[1]);
+                for lane in lanes_of(s.bits(mask)) {
+                    let color = bilinear(picture, *wrap, at[0][lane], at[1][lane]);
+                    [colors[0][lane], colors[1][lane], colors[2][lane]] = color.to_array();
+                }
+                load3(s, &colors, 0)
+            }
         }
+    }
+
+    /// A coordinate in repeats of the pattern: no more than fractions can tell apart. One that is no number goes to the limit,
+    /// too.
+    #[inline(always)]
+    fn along<S: Simd>(&self, s: S, x: S::F, k: usize) -> S::F {
+        const MOST: f32 = 1e9;
+        let x = s.add(s.mul(x, s.splat(self.repeat[k])), s.splat(self.shift[k]));
+        s.min(s.max(x, s.splat(-MOST)), s.splat(MOST))
     }
 }
 
-/// No more repeats than fractions can tell apart. A number that is none goes to the limit, too.
-fn within_limits(x: f32) -> f32 {
-    const MOST: f32 = 1e9;
-    if x > -MOST { x.min(MOST) } else { -MOST }
+/// Whether whole numbers are odd.
+#[inline(always)]
+fn is_odd<S: Simd>(s: S, whole: S::F) -> S::M {
+    let half = s.mul(whole, s.splat(0.5));
+    s.lt(s.floor(half), half)
 }
 
 /// The mean of the four texels around the point, each by its nearness.
@@ -182,6 +208,8 @@ impl MaterialTable {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::accel::packet::store3;
+    use crate::accel::simd::{Instructions, Kernel};
 
     /// Black, white over red, green.
     fn picture() -> Arc<Picture> {
@@ -192,6 +220,26 @@ mod tests {
     fn texture(wrap: Wrap) -> CompiledTexture {
         let pattern = Pattern::Picture { picture: picture(), wrap };
         CompiledTexture { pattern, repeat: [1.0; 2], shift: [0.0; 2] }
+    }
+
+    struct ColorAt<'a>(&'a CompiledTexture, [f32; 2]);
+
+    impl Kernel for ColorAt<'_> {
+        type Output = Rgb;
+        #[inline(always)]
+        fn run<S: Simd>(self, s: S) -> Rgb {
+            let Self(texture, [u, v]) = self;
+            let mask = s.le(s.splat(0.0), s.splat(0.0));
+            let mut colors = [[0.0; BLOCK]; 3];
+            store3(s, &texture.colors(s, mask, &[s.splat(u), s.splat(v)]), &mut colors, 0);
+            Rgb::from(colors.map(|column| column[S::LANES - 1]))
+        }
+    }
+
+    impl CompiledTexture {
+        fn color(&self, uv: [f32; 2]) -> Rgb {
+            Instructions::detect().run(ColorAt(self, uv))
+        }
     }
 
     #[test]
@@ -225,5 +273,7 @@ mod tests {
         assert_eq!(t.color([0.6, 0.1]), Rgb::BLACK);
         assert_eq!(t.color([-0.1, 0.1]), Rgb::BLACK);
         assert_eq!(t.color([-0.1, -0.1]), Rgb::WHITE);
+        assert_eq!(t.color([8_388_607.5, 0.1]), Rgb::BLACK, "as far as floats have halves");
+        assert_eq!(t.color([f32::INFINITY, f32::NAN]), Rgb::WHITE, "no number, but a colour");
     }
 }

@@ -3,6 +3,8 @@
 mod classic;
 mod light;
 mod soft;
+mod tile;
+mod wave;
 
 use crate::compile::CompiledScene;
 use vitrine_film::Region;
@@ -30,7 +32,7 @@ pub struct Workshop {
 
 impl Workshop {
     /// The sums of the samples for each pixel of the tile, row by row, and how many rays that took.
-    pub fn fill(&mut self, task: &TileTask) -> (Vec<Rgb>, u64) {
+    pub fn fill(&mut self, task: &TileTask) -> (&[Rgb], u64) {
         let reach = match task.settings.renderer {
             Renderer::Classic => classic::Reach::Recursive,
             Renderer::Cast => classic::Reach::CameraOnly,

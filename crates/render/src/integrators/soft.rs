@@ -4,49 +4,41 @@
 use super::TileTask;
 use super::light::{LitBlock, SurfaceLanes, WaveLight, towards};
 use crate::accel::packet::sub3;
-use crate::accel::simd::{Kernel, Simd};
+use crate::accel::simd::Simd;
 use crate::accel::{BLOCK, Column, Packet};
 use crate::samplers::SquareSampler;
-use vitrine_math::{Rgb, Vec3, warp};
+use vitrine_math::{Vec3, warp};
 
 /// Points of a lamp that are tried for one surface before its quality is looked at: whole packets, and stratified 4 × 4.
 const ROUND: u32 = BLOCK as u32;
 
-/// A disc lamp and the surfaces in its light.
+/// A disc lamp that shines on a wave.
 pub struct SoftLight<'a> {
     pub wave: &'a WaveLight<'a>,
     /// Which of the scene's lights.
     pub index: u32,
-    /// Intensity times colour.
-    pub light: Rgb,
     /// The disc's middle and radius.
     pub disc: (Vec3, f32),
-    pub blocks: &'a mut [LitBlock],
 }
 
-impl Kernel for SoftLight<'_> {
-    type Output = u64;
-
+impl SoftLight<'_> {
+    /// The light on surfaces from the lane `start` of a block on: what is scattered and the highlight, or None when it shines on
+    /// nothing. Counts shadow rays.
     #[inline(always)]
-    fn run<S: Simd>(mut self, s: S) -> u64 {
-        let mut rays = 0;
-        let blocks = std::mem::take(&mut self.blocks);
-        for (block, surfaces) in blocks.iter_mut().zip(self.wave.surfaces) {
-            for lane in 0..BLOCK {
-                if block.diffuse[lane] <= 0.0 && block.specular[lane] <= 0.0 {
-                    continue;
-                }
-                let mut surface = SoftShadow::new(SurfaceLanes::splat(s, block, surfaces, lane));
-                surface.try_points(s, &self, block.pixel[lane]);
-                rays += u64::from(surface.rays);
-                let [scattered, highlight] =
-                    [surface.scattered, surface.highlight].map(|sum| total(&sum) / surface.tried as f32);
-                for (k, radiance) in self.light.to_array().into_iter().enumerate() {
-                    block.sum[k][lane] += (block.color[k][lane] * scattered + highlight) * radiance;
-                }
+    pub fn shine<S: Simd>(&self, s: S, block: &LitBlock, start: usize, rays: &mut u64) -> Option<[S::F; 2]> {
+        let (mut scattered, mut highlight) = ([0.0; BLOCK], [0.0; BLOCK]);
+        for lane in 0..S::LANES {
+            let from = start + lane;
+            if block.diffuse[from] <= 0.0 && block.specular[from] <= 0.0 {
+                continue;
             }
+            let mut surface = SoftShadow::new(SurfaceLanes::splat(s, block, from));
+            surface.try_points(s, self, block.pixel[from] as usize);
+            *rays += u64::from(surface.rays);
+            scattered[lane] = total(&surface.scattered) / surface.tried as f32;
+            highlight[lane] = total(&surface.highlight) / surface.tried as f32;
         }
-        rays
+        Some([s.load(&scattered), s.load(&highlight)])
     }
 }
 
@@ -72,9 +64,10 @@ impl<S: Simd> SoftShadow<S> {
 
     /// Tries points until the standard error is small enough or all are used.
     #[inline(always)]
-    fn try_points(&mut self, s: S, light: &SoftLight, pixel: u32) {
+    fn try_points(&mut self, s: S, light: &SoftLight, pixel: usize) {
         let TileTask { settings, tile, .. } = light.wave.task;
-        let (x, y) = (tile.x + pixel % tile.width, tile.y + pixel / tile.width);
+        let [x, y] = light.wave.order.place(pixel);
+        let (x, y) = (tile.x + x, tile.y + y);
         let sampler = SquareSampler::new(y * settings.size[0] + x, light.index, settings.seed);
         // Whole rounds for each sample, so that every round is stratified.
         let first = light.wave.sample.wrapping_mul(settings.shadow_points.next_multiple_of(ROUND));

@@ -1,25 +1,75 @@
 //! Where a point lies on the pictures of its surface.
 
-use crate::accel::Hit;
-use crate::compile::{CompiledScene, Form};
+use super::{HitPoints, lanes_of};
+use crate::accel::packet::{dot, moved, splat3, store3};
+use crate::accel::simd::Simd;
+use crate::accel::{BLOCK, Hit};
+use crate::compile::{CompiledScene, Form, Primitive};
 use std::f32::consts::PI;
 use vitrine_math::{Transform, Vec2, Vec3};
 
 impl CompiledScene {
-    /// Where on its surface's pictures a point lies: u to the right, v up.
-    pub(crate) fn texture_point(&self, p: Vec3, hit: &Hit) -> [f32; 2] {
-        let primitive = &self.primitives[hit.primitive as usize];
-        let local = || primitive.transform.object_from_world.transform_point3(p);
-        match &primitive.form {
+    /// Where on their surface's pictures points lie, in lanes that all hit the same thing or others of its material: u to the
+    /// right, v up.
+    #[inline(always)]
+    pub(super) fn texture_points<S: Simd>(&self, s: S, mask: S::M, points: &HitPoints<S>) -> [S::F; 2] {
+        let at = points.at;
+        let primitives = s.load(&at.hits.primitive[at.start..]);
+        let mut uv = [s.splat(0.0); 2];
+        let mut left = s.bits(mask);
+        while left != 0 {
+            let id = at.hits.primitive[at.start + left.trailing_zeros() as usize];
+            let same = s.and(mask, s.eq(primitives, s.splat(id)));
+            left &= !s.bits(same);
+            let [u, v] = self.primitives[id.to_bits() as usize].points_on(s, same, points);
+            uv = [s.select(same, u, uv[0]), s.select(same, v, uv[1])];
+        }
+        uv
+    }
+}
+
+impl Primitive {
+    /// Where points lie on the pictures of this thing, in the lanes that hit it.
+    #[inline(always)]
+    fn points_on<S: Simd>(&self, s: S, mask: S::M, points: &HitPoints<S>) -> [S::F; 2] {
+        let HitPoints { at, p, .. } = points;
+        match &self.form {
+            Form::Plane { .. } => {
+                let local = moved(s, &self.transform.object_from_world, p);
+                [local[0], s.sub(s.splat(0.0), local[2])]
+            }
+            Form::Triangle { uvs, .. } => {
+                let (b, c) = (s.load(&at.hits.u[at.start..]), s.load(&at.hits.v[at.start..]));
+                let shares = [s.sub(s.sub(s.splat(1.0), b), c), b, c];
+                let at_corners = |k: usize| uvs.map(|uv| uv[k]);
+                [dot(s, &splat3(s, at_corners(0)), &shares), dot(s, &splat3(s, at_corners(1)), &shares)]
+            }
+            _ => {
+                let mut world = [[0.0; BLOCK]; 3];
+                let mut uv = [[0.0; BLOCK]; 2];
+                store3(s, p, &mut world, 0);
+                for lane in lanes_of(s.bits(mask)) {
+                    let p = Vec3::new(world[0][lane], world[1][lane], world[2][lane]);
+                    let [u, v] = self.texture_point(p, &at.hits.get(at.start + lane));
+                    (uv[0][lane], uv[1][lane]) = (u, v);
+                }
+                [s.load(&uv[0]), s.load(&uv[1])]
+            }
+        }
+    }
+
+    /// Where a point lies on the pictures of a ball, a box or a mesh.
+    fn texture_point(&self, p: Vec3, hit: &Hit) -> [f32; 2] {
+        let local = || self.transform.object_from_world.transform_point3(p);
+        match &self.form {
             Form::Sphere { .. } | Form::Ellipsoid { .. } => spherical(local()),
-            Form::Plane { .. } => [local().x, -local().z],
             Form::Box { unit } => face(unit.object_from_world.transform_point3(p), unit),
-            Form::Triangle { uvs, .. } => mix(uvs.map(Vec2::from), hit.uv).into(),
             Form::Mesh { mesh, bounds, .. } if mesh.uvs.is_empty() => spherical(local() - bounds.center()),
             Form::Mesh { mesh, .. } => {
                 let corners = mesh.triangles[hit.triangle as usize];
                 mix(corners.map(|i| mesh.uvs[i as usize]), hit.uv).into()
             }
+            Form::Plane { .. } | Form::Triangle { .. } => unreachable!("lanes have their own formula"),
         }
     }
 }

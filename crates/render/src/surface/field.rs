@@ -1,9 +1,8 @@
 //! What the points and normals of each primitive are worked out from, in lanes.
 
-use super::{LIFT, SurfaceBlock};
-use crate::accel::packet::{along3, dot, load3, sub3};
+use super::{LIFT, Points};
+use crate::accel::packet::{along3, dot, scale3, sub3, unit3};
 use crate::accel::simd::Simd;
-use crate::accel::{BLOCK, Column};
 use crate::compile::{Form, Primitive, reach_of};
 use vitrine_math::Vec3;
 
@@ -19,11 +18,20 @@ pub struct NormalField {
     pub reach: f32,
     /// Whether the formula does not hold: boxes, ellipsoids, meshes.
     pub is_other: bool,
+    /// The index of the first material.
+    pub material: u32,
+    /// Whether a mesh's triangles choose among materials from the first on.
+    pub by_triangle: bool,
 }
 
 impl NormalField {
     /// Of a primitive.
     pub fn new(primitive: &Primitive) -> Self {
+        let &Primitive { material, by_triangle, .. } = primitive;
+        Self { material, by_triangle, ..Self::of_form(primitive) }
+    }
+
+    fn of_form(primitive: &Primitive) -> Self {
         let flat = |points: &[Vec3], n: &Vec3| Self {
             center: points[0].into(),
             flat: (*n).into(),
@@ -51,59 +59,51 @@ impl NormalField {
     }
 }
 
-/// The normal fields of sixteen hits.
-pub struct Fields {
-    center: [Column; 3],
-    flat: [Column; 3],
-    radius: Column,
-    inv_radius: Column,
-    reach: Column,
+/// The normal fields of hits in lanes.
+#[derive(Clone, Copy)]
+pub struct Fields<S: Simd> {
+    center: [S::F; 3],
+    flat: [S::F; 3],
+    radius: S::F,
+    inv_radius: S::F,
+    reach: S::F,
 }
 
-impl Fields {
-    pub const EMPTY: Self = {
-        let zero = [0.0; BLOCK];
-        Self { center: [zero; 3], flat: [zero; 3], radius: zero, inv_radius: zero, reach: zero }
-    };
-
+impl<S: Simd> Fields<S> {
+    /// Of nothing.
     #[inline(always)]
-    pub fn put(&mut self, lane: usize, field: &NormalField) {
+    pub fn empty(s: S) -> Self {
+        let zero = s.splat(0.0);
+        Self { center: [zero; 3], flat: [zero; 3], radius: zero, inv_radius: zero, reach: zero }
+    }
+
+    /// Puts a field into the lanes of the mask.
+    #[inline(always)]
+    pub fn put(&mut self, s: S, mask: S::M, field: &NormalField) {
         for k in 0..3 {
-            self.center[k][lane] = field.center[k];
-            self.flat[k][lane] = field.flat[k];
+            self.center[k] = s.select(mask, s.splat(field.center[k]), self.center[k]);
+            self.flat[k] = s.select(mask, s.splat(field.flat[k]), self.flat[k]);
         }
-        self.radius[lane] = field.radius;
-        self.inv_radius[lane] = field.inv_radius;
-        self.reach[lane] = field.reach;
+        self.radius = s.select(mask, s.splat(field.radius), self.radius);
+        self.inv_radius = s.select(mask, s.splat(field.inv_radius), self.inv_radius);
+        self.reach = s.select(mask, s.splat(field.reach), self.reach);
     }
 
     /// The points of the surface near points p, seen along d.
     #[inline(always)]
-    pub fn surface<S: Simd>(&self, s: S, to: &mut SurfaceBlock, start: usize, [p, d]: [[S::F; 3]; 2]) {
+    pub fn points(&self, s: S, p: &[S::F; 3], d: &[S::F; 3]) -> Points<S> {
         let zero = s.splat(0.0);
-        let from_center = sub3(s, &p, &load3(s, &self.center, start));
-        let n = along3(s, &load3(s, &self.flat, start), &from_center, s.load(&self.inv_radius[start..]));
+        let from_center = sub3(s, p, &self.center);
+        let n = along3(s, &self.flat, &from_center, self.inv_radius);
         // Of unit length but for rounding, which is much where the ball is small and far away.
-        let n = along3(s, &[zero; 3], &n, s.div(s.splat(1.0), s.sqrt(dot(s, &n, &n))));
+        let n = unit3(s, &n);
         // Back onto the surface: p − n·(⟨n, p − center⟩ − radius)
-        let off = s.sub(s.load(&self.radius[start..]), dot(s, &n, &from_center));
-        let p = along3(s, &p, &n, off);
-        let wo = sub3(s, &[zero; 3], &d);
-        let outside = s.le(zero, dot(s, &n, &wo));
-        let side = s.select(outside, s.splat(1.0), s.splat(-1.0));
-        let n = along3(s, &[zero; 3], &n, side);
-        let largest =
-            s.max(s.max(s.abs(p[0]), s.abs(p[1])), s.max(s.abs(p[2]), s.load(&self.reach[start..])));
-        let lift = s.mul(largest, s.splat(LIFT));
-        let origin = along3(s, &p, &n, lift);
-        s.store(side, &mut to.side[start..]);
-        s.store(lift, &mut to.lift[start..]);
-        for k in 0..3 {
-            s.store(origin[k], &mut to.origin[k][start..]);
-            s.store(p[k], &mut to.p[k][start..]);
-            s.store(n[k], &mut to.n[k][start..]);
-            s.store(n[k], &mut to.ns[k][start..]);
-            s.store(wo[k], &mut to.wo[k][start..]);
-        }
+        let off = s.sub(self.radius, dot(s, &n, &from_center));
+        let p = along3(s, p, &n, off);
+        let wo = sub3(s, &[zero; 3], d);
+        let is_outside = s.le(zero, dot(s, &n, &wo));
+        let n = scale3(s, &n, s.select(is_outside, s.splat(1.0), s.splat(-1.0)));
+        let largest = s.max(s.max(s.abs(p[0]), s.abs(p[1])), s.max(s.abs(p[2]), self.reach));
+        Points { p, n, ns: n, wo, is_outside, lift: s.mul(largest, s.splat(LIFT)) }
     }
 }
