@@ -14,7 +14,6 @@ use embree::{Edges, Embree, Peer};
 use options::Options;
 use report::{Built, HEAD, PeerSpeeds, Row};
 use std::process::ExitCode;
-use std::time::Duration;
 use vitrine_measure::race::{self, Contender};
 use vitrine_measure::rays::{RaySet, ray_sets};
 use vitrine_measure::{Kernel, Scene, SceneKind};
@@ -83,11 +82,8 @@ fn measure(scene: SceneKind, set: &RaySet, kernel: &Kernel, peers: Option<&Peers
     let mut own: [&mut dyn Contender; 2] = [&mut single, &mut packets];
     let [alone, together] = own.each_mut().map(|c| race::distances(*c, &set.rays));
     let own_disagreement = race::disagreement(&alone, &together);
-    let speeds = |times: &[Duration]| -> Vec<f64> {
-        times.iter().map(|t| set.rays.len() as f64 / t.as_secs_f64().max(1e-9) / 1e6).collect()
-    };
     let Some(peers) = peers else {
-        let speeds = speeds(&race::race(&mut own, &set.rays, rounds));
+        let speeds = race::race(&mut own, &set.rays, rounds);
         let (single, packets) = (speeds[0], speeds[1]);
         return Row { scene, rays: set.kind, single, packets, peer: None, own_disagreement };
     };
@@ -98,7 +94,7 @@ fn measure(scene: SceneKind, set: &RaySet, kernel: &Kernel, peers: Option<&Peers
     let packet_disagreement = race::disagreement(&together, &race::distances(&mut sixteen, &set.rays));
     let [own_single, own_packets] = own;
     let mut all = [own_single, own_packets, &mut fast, &mut watertight, &mut sixteen];
-    let speeds = speeds(&race::race(&mut all, &set.rays, rounds));
+    let speeds = race::race(&mut all, &set.rays, rounds);
     let peer = PeerSpeeds {
         single: speeds[2],
         watertight: speeds[3],

@@ -45,6 +45,7 @@ pub use project::{Project, load};
 pub use vitrine_film as film;
 pub use vitrine_formats as formats;
 pub use vitrine_math as math;
+pub use vitrine_measure as measure;
 pub use vitrine_render as render;
 pub use vitrine_scene as scene;
 

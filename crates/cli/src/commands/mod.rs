@@ -16,7 +16,7 @@ use clap::{Parser, Subcommand};
 use std::ffi::OsString;
 use std::process::ExitCode;
 
-pub use bench::Measured;
+pub use bench::{Curve, Measured};
 
 /// Pictures of scenes behind glass, from scene files.
 #[derive(Debug, Parser)]

@@ -5,7 +5,7 @@ mod sheet;
 mod shrink;
 mod text;
 
-pub use plot::{check_plot, plot_threads};
+pub use plot::{Growth, Threads, check_plot, plot};
 pub use sheet::{Layout, sheet};
 pub use shrink::shrink;
 

@@ -1,4 +1,4 @@
-//! `vitrine bench threads`: that it measures and reports, not how fast.
+//! `vitrine bench`: that it measures and reports, not how fast.
 
 use crate::support::Folder;
 
@@ -74,4 +74,60 @@ fn wrong_lists_and_places_are_told_before_measuring() {
     bench(&["--plot", "t.gif"]).fails(2, &[".svg or .png"]);
     bench(&["--csv", "missing/t.csv"]).fails(1, &["no such folder: missing"]);
     assert_eq!(folder.names(), ["scene.vitrine.toml"]);
+}
+
+/// Quick: small scenes, few rays, one round.
+const SMALL: [&str; 8] = ["bench", "kernel", "--triangles", "2000", "--size", "32x32", "--repeats", "1"];
+
+#[test]
+fn the_kernel_has_a_row_for_each_scene_and_kind_of_ray_and_one_for_each_tree() {
+    let folder = Folder::new();
+    let text = folder.run_well(&[&SMALL[..], &["--csv", "k.csv"]].concat()).out;
+    assert!(text.contains("median of 1, rays for 32 × 32 pixels"), "{text}");
+    let rows: Vec<Vec<&str>> = text.lines().map(|l| l.split_whitespace().collect()).collect();
+    for scene in ["seed", "room", "cave"] {
+        for rays in ["primary", "shadow", "mirror", "diffuse", "ambient"] {
+            let row = rows.iter().find(|r| r.len() == 4 && r[0] == scene && r[1] == rays).expect(rays);
+            assert!(row[2..].iter().all(|n| n.parse::<f64>().is_ok_and(|v| v > 0.0)), "{row:?}");
+        }
+    }
+    assert!(rows.iter().any(|r| r[..].starts_with(&["seed", "642"])), "{text}");
+    let csv = String::from_utf8(folder.read("k.csv")).unwrap();
+    assert_eq!(csv.lines().count(), 16);
+    assert!(csv.lines().all(|l| l.split(',').count() == 7), "{csv}");
+}
+
+#[test]
+fn one_scene_of_the_kernels_is_measured_alone() {
+    let text = Folder::new().run_well(&[&SMALL[..], &["--scenes", "cave"]].concat()).out;
+    assert!(text.contains("cave") && !text.contains("room") && !text.contains("seed"), "{text}");
+}
+
+#[test]
+fn growth_of_the_kernel_as_a_table_and_a_plot() {
+    let folder = Folder::new();
+    let growth = ["--growth", "--plot", "g.svg", "--csv", "g.csv"];
+    let text = folder.run_well(&[&SMALL[..], &growth].concat()).out;
+    // 20·7² and 20·10² triangles.
+    assert!(text.contains("\n      980  ") && text.contains("\n    2 000  "), "{text}");
+    assert!(text.contains("Diffuse, alone: each doubling adds "), "{text}");
+    let csv = String::from_utf8(folder.read("g.csv")).unwrap();
+    assert_eq!(csv.lines().count(), 3);
+    let svg = String::from_utf8(folder.read("g.svg")).unwrap();
+    for word in ["Number of triangles", "Time of a ray, ns", "Primary, in packets", "Diffuse, alone"] {
+        assert!(svg.contains(word), "no {word}");
+    }
+}
+
+#[test]
+fn wrong_words_for_the_kernel_are_told_before_measuring() {
+    let folder = Folder::new();
+    let kernel = |more: &[&str]| folder.run(&[&SMALL[..], more].concat());
+    kernel(&["--scenes", "cellar"]).fails(2, &["cellar", "cave"]);
+    kernel(&["--plot", "g.svg"]).fails(2, &["--growth"]);
+    kernel(&["--growth", "--plot", "g.gif"]).fails(2, &[".svg or .png"]);
+    kernel(&["--growth", "--scenes", "cave"]).fails(2, &["--growth"]);
+    kernel(&["--csv", "missing/k.csv"]).fails(1, &["no such folder: missing"]);
+    folder.run(&["bench", "kernel", "--triangles", "5"]).fails(2, &["1000"]);
+    assert!(folder.names().is_empty(), "{:?}", folder.names());
 }

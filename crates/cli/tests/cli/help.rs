@@ -2,12 +2,13 @@
 
 use crate::support::Folder;
 
-const COMMANDS: [&[&str]; 9] = [
+const COMMANDS: [&[&str]; 10] = [
     &["render"],
     &["check"],
     &["info"],
     &["sweep"],
     &["bench", "threads"],
+    &["bench", "kernel"],
     &["templates"],
     &["schema"],
     &["completions"],

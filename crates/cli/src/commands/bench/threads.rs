@@ -90,7 +90,7 @@ impl Threads {
             formats::write_atomically(path, csv(&measured).as_bytes())?;
         }
         if let Some(path) = &self.plot {
-            draw::plot_threads(path, &project.name(), &measured)?;
+            draw::plot(path, &draw::Threads { scene: &project.name(), measured: &measured })?;
         }
         Ok(Exit::Done)
     }
