@@ -5,7 +5,7 @@ use std::ptr::null_mut;
 use vitrine_math::Ray;
 use vitrine_measure::race::{NOTHING, Query};
 
-pub const VERSION_MAJOR: u32 = 1;
+pub const VERSION: u32 = 0;
 pub const TRIANGLES: u32 = 0;
 pub const SPHERES: u32 = 50;
 pub const INDEX_BUFFER: u32 = 0;

@@ -13,9 +13,10 @@ mod layout;
 
 use layout::{
     Arguments, FLOAT3, FLOAT4, INDEX_BUFFER, MEDIUM_QUALITY, ROBUST, RayHit, RayHit16, SPHERES, TRIANGLES,
-    UINT3, VERSION_MAJOR, VERTEX_BUFFER, Valid,
+    UINT3, VERSION, VERTEX_BUFFER, Valid,
 };
 use libloading::Library;
+use std::error::Error;
 use std::ffi::{CStr, c_char, c_void};
 use std::path::Path;
 use std::ptr::null;
@@ -78,7 +79,11 @@ api! {
 
 /// The library.
 #[derive(Clone)]
-pub struct Embree(Arc<Api>);
+pub struct Embree {
+    api: Arc<Api>,
+    /// As 40400 for 4.4.0.
+    version: isize,
+}
 
 impl Embree {
     /// Loads it from a file.
@@ -86,18 +91,28 @@ impl Embree {
     /// # Errors
     /// When it cannot be loaded or is not Embree 4.
     pub fn load(path: &Path) -> Result<Self, String> {
-        let api = Api::load(path).map_err(|e| format!("cannot load {}: {e}", path.display()))?;
+        let api = Api::load(path).map_err(|error| {
+            let cause = error.source().map_or_else(|| error.to_string(), ToString::to_string);
+            format!("cannot load {}: {cause}", path.display())
+        })?;
         // SAFETY: a device is made, asked and released; null asks for the defaults.
         let version = unsafe {
             let device = (api.new_device)(null());
-            let version = (api.device_property)(device, VERSION_MAJOR);
+            let version = (api.device_property)(device, VERSION);
             (api.release_device)(device);
             version
         };
-        if version != 4 {
-            return Err(format!("this is Embree {version}, not 4: {}", path.display()));
+        let embree = Self { api: Arc::new(api), version };
+        if version / 10_000 != 4 {
+            return Err(format!("this is Embree {}, not 4: {}", embree.version(), path.display()));
         }
-        Ok(Self(Arc::new(api)))
+        Ok(embree)
+    }
+
+    /// As "4.4.0".
+    pub fn version(&self) -> String {
+        let v = self.version;
+        format!("{}.{}.{}", v / 10_000, v / 100 % 100, v % 100)
     }
 }
 
@@ -172,7 +187,7 @@ impl Peer {
     /// # Errors
     /// What Embree complains about, as its number.
     pub fn build(embree: &Embree, scene: &Scene, edges: Edges) -> Result<Self, String> {
-        let api = embree.0.clone();
+        let api = embree.api.clone();
         let shared = Shared::all(scene);
         let memory = Arc::new(AtomicIsize::new(0));
         let config: &CStr = c"threads=1,start_threads=0";
