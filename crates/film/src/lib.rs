@@ -4,6 +4,6 @@ mod film;
 mod image;
 pub mod tonemap;
 
-pub use film::{Film, Region, RegionError};
+pub use film::{Band, Film, Region, RegionError};
 pub use image::Image;
 pub use tonemap::ViewTransform;

@@ -1,24 +1,21 @@
 //! The render job: threads, order, progress and stopping. It knows nothing of physics.
 //!
-//! The work is cut into pieces, a tile times a block of samples, which do not depend on the threads. Threads take them from a
-//! counter; the caller's thread adds their sums to the film, each tile's blocks in order. So the picture is the same bytes
-//! for any number of threads.
+//! The work is cut into pieces, a tile times a block of samples, which do not depend on the threads. Threads, the caller's
+//! among them, take pieces from a counter and add their sums to the film, each tile's blocks in order. So the picture is
+//! the same bytes for any number of threads.
 
 use crate::compile::CompiledScene;
 use crate::error::RenderError;
 use crate::integrators::{TileTask, Workshop};
 use std::collections::BTreeMap;
 use std::ops::Range;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::mpsc::{SyncSender, sync_channel};
+use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
-use vitrine_film::{Film, Region};
+use vitrine_film::{Band, Film, Region};
 use vitrine_math::Rgb;
 use vitrine_scene::Settings;
 
-/// The side of a tile in pixels.
-const TILE: u32 = 32;
 /// The most samples in a block.
 const BLOCK: u32 = 16;
 /// The least time between two reports of progress.
@@ -78,14 +75,6 @@ pub struct RenderJob<'a> {
     region: Region,
 }
 
-/// A finished piece of work.
-struct Piece {
-    tile: usize,
-    block: usize,
-    sums: Vec<Rgb>,
-    rays: u64,
-}
-
 impl<'a> RenderJob<'a> {
     /// Prepares a job.
     ///
@@ -102,69 +91,88 @@ impl<'a> RenderJob<'a> {
         Ok(Self { scene, settings, region })
     }
 
-    /// Renders on so many threads (0: all of the machine's) until done or cancelled. The picture does not depend on
-    /// the number of threads. `progress` is called on the caller's thread, ten times a second at most and at the end.
+    /// Renders on so many threads, the caller's among them (0: all of the machine's), until done or cancelled. The picture does
+    /// not depend on the number of threads. `progress` is called on the caller's thread, ten times a second at most and at the
+    /// end.
     #[must_use]
     pub fn run(&self, threads: usize, cancel: &Cancel, progress: &mut dyn FnMut(Progress)) -> Rendered {
         let machine = || std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
         let threads = if threads == 0 { machine() } else { threads };
         let plan = Plan::new(self.region, self.settings.samples);
-        let next = AtomicUsize::new(0);
-        let mut merge = Merge::new(&plan, self.region);
+        let mut film = Film::new(self.region);
+        let merges = film.bands().map(|band| Mutex::new(Merge::new(band, plan.across))).collect();
+        let desk = Desk {
+            plan: &plan,
+            cancel,
+            merges,
+            next: AtomicUsize::new(0),
+            samples: AtomicU64::new(0),
+            rays: AtomicU64::new(0),
+        };
         let mut report = Report::new(plan.samples_total(), progress);
         std::thread::scope(|scope| {
-            let (send, receive) = sync_channel(4 * threads);
-            for _ in 0..threads.min(plan.pieces()) {
-                let (send, plan, next) = (send.clone(), &plan, &next);
-                scope.spawn(move || self.work(plan, next, cancel, &send));
+            for _ in 1..threads.min(plan.pieces()) {
+                scope.spawn(|| self.work(&desk, &mut |_| ()));
             }
-            drop(send);
-            for piece in receive {
-                merge.add(&plan, piece);
-                report.tell(merge.samples);
-            }
+            self.work(&desk, &mut |samples| report.tell(samples));
         });
-        report.finish(merge.samples);
-        Rendered { is_complete: merge.samples == plan.samples_total(), film: merge.film, rays: merge.rays }
+        let (samples, rays) = (desk.samples.into_inner(), desk.rays.into_inner());
+        drop(desk.merges);
+        report.finish(samples);
+        Rendered { film, is_complete: samples == plan.samples_total(), rays }
     }
 
-    /// Takes pieces and sends them back finished, until there are none or the job is cancelled.
-    fn work(&self, plan: &Plan, next: &AtomicUsize, cancel: &Cancel, send: &SyncSender<Piece>) {
+    /// Takes pieces and adds them to the film, until there are none or the job is cancelled. Tells after each how many samples are
+    /// finished, those of all threads.
+    fn work(&self, desk: &Desk, tell: &mut dyn FnMut(u64)) {
+        let plan = desk.plan;
         let mut workshop = Workshop::default();
-        while !cancel.is_cancelled() {
-            let number = next.fetch_add(1, Ordering::Relaxed);
+        while !desk.cancel.is_cancelled() {
+            let number = desk.next.fetch_add(1, Ordering::Relaxed);
             if number >= plan.pieces() {
                 return;
             }
             let (tile, block) = plan.piece(number);
-            let (sums, rays) = workshop.fill(&TileTask {
-                scene: self.scene,
-                settings: &self.settings,
-                tile: plan.tiles[tile],
-                samples: plan.blocks[block].clone(),
-            });
-            if send.send(Piece { tile, block, sums: sums.to_vec(), rays }).is_err() {
-                return;
-            }
+            let samples = plan.blocks[block].clone();
+            let task =
+                TileTask { scene: self.scene, settings: &self.settings, tile: plan.tiles[tile], samples };
+            let (sums, rays) = workshop.fill(&task);
+            let merge = &desk.merges[tile / plan.across];
+            // A thread that panics takes the job with it, so what it leaves behind is never seen.
+            let mut merge = merge.lock().unwrap_or_else(PoisonError::into_inner);
+            let (samples, rays) = merge.add(plan, [tile, block], (sums, rays));
+            drop(merge);
+            desk.rays.fetch_add(rays, Ordering::Relaxed);
+            tell(desk.samples.fetch_add(samples, Ordering::Relaxed) + samples);
         }
     }
 }
 
+/// What the threads of a job share.
+struct Desk<'a> {
+    plan: &'a Plan,
+    cancel: &'a Cancel,
+    /// Rows of tiles.
+    merges: Vec<Mutex<Merge<'a>>>,
+    /// The next piece to take.
+    next: AtomicUsize,
+    /// Samples in the film.
+    samples: AtomicU64,
+    /// Rays that these took.
+    rays: AtomicU64,
+}
+
 /// How the work is cut: by the picture alone.
 struct Plan {
+    /// Row by row.
     tiles: Vec<Region>,
+    /// Tiles in a row.
+    across: usize,
     blocks: Vec<Range<u32>>,
 }
 
 impl Plan {
     fn new(region: Region, samples: u32) -> Self {
-        let mut tiles = Vec::new();
-        for y in (0..region.height).step_by(TILE as usize) {
-            for x in (0..region.width).step_by(TILE as usize) {
-                let (width, height) = (TILE.min(region.width - x), TILE.min(region.height - y));
-                tiles.push(Region { x: region.x + x, y: region.y + y, width, height });
-            }
-        }
         // 1, 1, 2, 4, 8, 16, 16, …: a first picture soon, then ever better ones.
         let mut blocks = Vec::new();
         let mut start = 0;
@@ -173,7 +181,7 @@ impl Plan {
             blocks.push(start..start + length);
             start += length;
         }
-        Self { tiles, blocks }
+        Self { tiles: Film::tiles(region).collect(), across: Film::tiles_across(region), blocks }
     }
 
     fn pieces(&self) -> usize {
@@ -191,36 +199,40 @@ impl Plan {
     }
 }
 
-/// Adds each tile's blocks in order; what comes too early waits.
-struct Merge {
-    film: Film,
-    samples: u64,
-    rays: u64,
+/// Adds each tile's blocks to a row of tiles in order; what comes too early waits.
+struct Merge<'a> {
+    band: Band<'a>,
     next_block: Vec<usize>,
-    waiting: BTreeMap<(usize, usize), Piece>,
+    waiting: BTreeMap<[usize; 2], (Vec<Rgb>, u64)>,
 }
 
-impl Merge {
-    fn new(plan: &Plan, region: Region) -> Self {
-        Self {
-            film: Film::new(region),
-            samples: 0,
-            rays: 0,
-            next_block: vec![0; plan.tiles.len()],
-            waiting: BTreeMap::new(),
-        }
+impl<'a> Merge<'a> {
+    fn new(band: Band<'a>, tiles: usize) -> Self {
+        Self { band, next_block: vec![0; tiles], waiting: BTreeMap::new() }
     }
 
-    fn add(&mut self, plan: &Plan, piece: Piece) {
-        let tile = piece.tile;
-        self.waiting.insert((tile, piece.block), piece);
-        while let Some(piece) = self.waiting.remove(&(tile, self.next_block[tile])) {
-            let count = plan.blocks[piece.block].len() as u32;
-            self.film.add_samples(plan.tiles[tile], &piece.sums, count);
-            self.samples += piece.sums.len() as u64 * u64::from(count);
-            self.rays += piece.rays;
-            self.next_block[tile] += 1;
+    /// Takes the sums and the number of rays of a piece. Gives the samples and the rays of what has been added to the film.
+    fn add(&mut self, plan: &Plan, [tile, block]: [usize; 2], (sums, rays): (&[Rgb], u64)) -> (u64, u64) {
+        if block > self.next_block[tile % plan.across] {
+            self.waiting.insert([tile, block], (sums.to_vec(), rays));
+            return (0, 0);
         }
+        let (mut samples, mut rays) = (self.add_next(plan, tile, sums), rays);
+        while let Some((sums, more)) = self.waiting.remove(&[tile, self.next_block[tile % plan.across]]) {
+            samples += self.add_next(plan, tile, &sums);
+            rays += more;
+        }
+        (samples, rays)
+    }
+
+    /// Adds a tile's next block; gives its samples.
+    fn add_next(&mut self, plan: &Plan, tile: usize, sums: &[Rgb]) -> u64 {
+        let column = tile % plan.across;
+        let next = &mut self.next_block[column];
+        let count = plan.blocks[*next].len() as u32;
+        *next += 1;
+        self.band.add_samples(column, sums, count);
+        sums.len() as u64 * u64::from(count)
     }
 }
 

@@ -6,11 +6,13 @@ use crate::flags::{PictureFlags, SettingFlags, ThreadFlag};
 use crate::picture::{self, Made};
 use crate::progress::Bar;
 use crate::report::Report;
+use crate::stopwatch::Elapsed;
 use crate::{console, interrupt, output, report, stopwatch, values};
 use clap::Args;
 use serde_json::json;
 use std::path::{Path, PathBuf};
-use vitrine::{Project, Region, RenderOptions, WriteOptions, formats};
+use vitrine::film::Film;
+use vitrine::{Project, Region, RenderOptions, Rendered, WriteOptions, formats};
 
 /// Make the picture of a scene
 ///
@@ -89,13 +91,14 @@ impl Render {
         })?;
         drop(bar);
 
-        let is_saved = made.rendered.film.samples() > 0;
+        let (done, film) = Done::of(made);
+        let is_saved = done.samples > 0;
         if is_saved {
-            save(&path, &made, write_options)?;
+            save(&path, film, &done, write_options)?;
         }
-        self.send_done(&events, &project, is_saved.then_some(&path), &made);
-        self.say_done(is_saved.then_some(&path), &made)?;
-        Ok(if made.rendered.is_complete { Exit::Done } else { Exit::Interrupted })
+        self.send_done(&events, &project, is_saved.then_some(&path), &done);
+        self.say_done(is_saved.then_some(&path), &done)?;
+        Ok(if done.is_complete { Exit::Done } else { Exit::Interrupted })
     }
 
     fn show_warnings(&self, events: &Events, project: &Project) {
@@ -133,55 +136,70 @@ impl Render {
         }));
     }
 
-    fn send_done(&self, events: &Events, project: &Project, path: Option<&PathBuf>, made: &Made) {
+    fn send_done(&self, events: &Events, project: &Project, path: Option<&PathBuf>, done: &Done) {
         if !events.is_on() {
             return;
         }
-        let region = made.rendered.film.region();
         events.send(&json!({
             "event": "done",
             "output": path,
-            "complete": made.rendered.is_complete,
-            "width": region.width,
-            "height": region.height,
+            "complete": done.is_complete,
+            "width": done.region.width,
+            "height": done.region.height,
             "threads": self.threads.count(),
             "samples_per_pixel": project.scene.settings.samples,
-            "samples": made.rendered.film.samples(),
-            "rays": made.rendered.rays,
-            "render_seconds": made.elapsed.wall.as_secs_f64(),
-            "cpu_seconds": made.elapsed.cpu.as_secs_f64(),
+            "samples": done.samples,
+            "rays": done.rays,
+            "render_seconds": done.elapsed.wall.as_secs_f64(),
+            "cpu_seconds": done.elapsed.cpu.as_secs_f64(),
             "scene_hash": project.hash().to_string(),
         }));
     }
 
-    fn say_done(&self, path: Option<&PathBuf>, made: &Made) -> Result<(), Failure> {
+    fn say_done(&self, path: Option<&PathBuf>, done: &Done) -> Result<(), Failure> {
         let Some(path) = path else {
             console::tell(picture::NOTHING_YET);
             return Ok(());
         };
-        if !made.rendered.is_complete {
+        if !done.is_complete {
             console::tell(&format!("Interrupted: the picture so far is in {}", path.display()));
             return Ok(());
         }
         if self.quiet || self.json {
             return Ok(());
         }
-        let region = made.rendered.film.region();
         console::print(format!(
             "{}: {} × {} pixels in {} ({} rays)\n",
             path.display(),
-            region.width,
-            region.height,
-            stopwatch::words(made.elapsed.wall),
-            console::thousands(made.rendered.rays),
+            done.region.width,
+            done.region.height,
+            stopwatch::words(done.elapsed.wall),
+            console::thousands(done.rays),
         ))
     }
 }
 
-fn save(path: &Path, made: &Made, mut options: WriteOptions) -> Result<(), Failure> {
-    if !made.rendered.is_complete {
+/// What there is to say of a picture beside the picture.
+struct Done {
+    region: Region,
+    samples: u64,
+    rays: u64,
+    is_complete: bool,
+    elapsed: Elapsed,
+}
+
+impl Done {
+    /// Takes the film out of what was made.
+    fn of(made: Made) -> (Self, Film) {
+        let Made { rendered: Rendered { film, is_complete, rays }, elapsed } = made;
+        (Self { region: film.region(), samples: film.samples(), rays, is_complete, elapsed }, film)
+    }
+}
+
+fn save(path: &Path, film: Film, done: &Done, mut options: WriteOptions) -> Result<(), Failure> {
+    if !done.is_complete {
         options.metadata.push(("vitrine:complete".into(), "false".into()));
     }
-    formats::write_image(path, &made.rendered.film.image(), &options)?;
+    formats::write_image(path, &film.into_image(), &options)?;
     Ok(())
 }

@@ -11,7 +11,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use vitrine::film::ViewTransform;
 use vitrine::summary::plural;
-use vitrine::{Cancel, Error, Image, Project, WriteOptions, formats};
+use vitrine::{Cancel, Error, Image, Project, Rendered, WriteOptions, formats};
 
 /// Render a scene with several values of one thing, onto a contact sheet
 ///
@@ -136,8 +136,8 @@ impl Sweep {
         let threads = self.threads.count();
         let made =
             picture::make(&compiled, project.options(), threads, cancel, &mut |progress| bar.show(progress))?;
-        let film = &made.rendered.film;
-        Ok((film.samples() > 0).then(|| (film.image(), made.rendered.is_complete)))
+        let Rendered { film, is_complete, .. } = made.rendered;
+        Ok((film.samples() > 0).then(|| (film.into_image(), is_complete)))
     }
 
     fn prepare_folder(&self) -> Result<(), Failure> {

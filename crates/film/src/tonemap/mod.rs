@@ -25,14 +25,13 @@ impl ViewTransform {
     /// The picture in 8 bits a channel: red, green, blue, row by row.
     #[must_use]
     pub fn to_u8(self, image: &Image) -> Vec<u8> {
-        let mut bytes = Vec::with_capacity(image.pixels.len() * 3);
-        match self {
+        let bytes: Vec<[u8; 3]> = match self {
             Self::Srgb => {
                 let display = srgb::display_u8();
-                image.pixels.iter().for_each(|p| bytes.extend(p.to_array().map(&display)));
+                image.pixels.iter().map(|p| [display(p.r), display(p.g), display(p.b)]).collect()
             }
-        }
-        bytes
+        };
+        bytes.into_flattened()
     }
 
     /// The picture in 16 bits a channel: red, green, blue, row by row.

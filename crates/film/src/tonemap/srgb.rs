@@ -14,7 +14,8 @@ pub fn display_u8() -> impl Fn(f32) -> u8 {
     |v| steps.at(v)
 }
 
-/// Cells of equal width from 0 to 1, narrow enough that one or two steps begin in each.
+/// Cells of equal width from 0 to 1, narrow enough that no more than one step begins in each: the curve is steepest at 0, where
+/// a step is 1/3295 wide.
 const CELLS: usize = 4096;
 
 static STEPS: LazyLock<Steps> = LazyLock::new(Steps::new);
@@ -38,14 +39,12 @@ impl Steps {
         Self { start, least }
     }
 
+    #[inline]
     fn at(&self, v: f32) -> u8 {
         // NaN becomes 0 here, and any other number finds its cell.
         let v = v.max(0.0);
-        let mut step = self.start[(v * CELLS as f32).min(CELLS as f32 - 1.0) as usize];
-        while v >= self.least[usize::from(step) + 1] {
-            step += 1;
-        }
-        step
+        let step = self.start[(v * CELLS as f32).min(CELLS as f32 - 1.0) as usize];
+        step + u8::from(v >= self.least[usize::from(step) + 1])
     }
 }
 
