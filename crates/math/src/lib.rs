@@ -13,7 +13,7 @@ pub mod warp;
 
 pub use bounds::Bounds3;
 pub use color::{ParseColorError, Rgb, linear_from_srgb, srgb_from_linear};
-pub use glam::{Affine3A, Mat3, Quat, Vec2, Vec3};
+pub use glam::{Affine3A, Mat3, Quat, Vec2, Vec3, Vec4};
 pub use power::pow_unit;
 pub use ray::Ray;
 pub use transform::{Axis, Transform, rotation_from_turn};

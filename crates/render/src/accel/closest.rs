@@ -1,12 +1,15 @@
 //! The nearest hit of each ray of a stream.
 
-use super::bvh::Node;
-use super::packet::{Entry, Packet, Visitor, traverse};
+use super::Accel;
+use super::level::SceneLevel;
+use super::packet::Packet;
 use super::primitives::triangle::Crossing;
-use super::primitives::{Span, cuboid, plane, sphere, triangle};
+use super::primitives::{Span, plane};
+use super::rays::{Rays, Receive, Surface};
 use super::simd::{Kernel, Simd};
-use super::stream::{BLOCK, HitBlock, HitStream, NOTHING, RayBlock, RayStream};
-use super::{Accel, Instance, leaf};
+use super::single::One;
+use super::stream::{BLOCK, Hit, HitBlock, HitStream, NOTHING, RayBlock, RayStream};
+use vitrine_math::Ray;
 
 impl Accel {
     /// Finds the nearest hit of each ray after its start and before its end.
@@ -17,6 +20,26 @@ impl Accel {
     pub fn closest(&self, rays: &RayStream, hits: &mut HitStream) {
         hits.blocks.resize(rays.blocks.len(), HitBlock::EMPTY);
         self.instructions.run(Closest { accel: self, rays: &rays.blocks, hits: &mut hits.blocks });
+    }
+
+    /// The same for rays each on its own, which is faster where neighbours go different ways. One place in `hits` for each
+    /// ray; those beyond stay as they are.
+    pub fn closest_each(&self, rays: &[Ray], hits: &mut [Option<Hit>]) {
+        self.instructions.run(ClosestEach { accel: self, rays, hits });
+    }
+
+    /// Finds the nearest hits of rays in lanes.
+    #[inline(always)]
+    fn find<S: Rays>(&self, s: S, rays: &Packet<S>, nearest: Nearest<S>) -> Nearest<S> {
+        let mut level = SceneLevel { accel: self, receive: nearest };
+        let anywhere = s.splat(f32::NEG_INFINITY);
+        for p in &self.planes {
+            let hit = Crossing::at(s, level.receive.active, plane::distance(s, rays, p));
+            let surface = Surface { primitive: p.primitive, triangle: 0, mesh: None };
+            level.receive.crossing(s, &hit, anywhere, surface);
+        }
+        s.walk(&self.tree.nodes, rays, &mut level);
+        level.receive
     }
 }
 
@@ -30,21 +53,31 @@ impl Kernel for Closest<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn run<S: Simd>(self, s: S) {
+    fn run<S: Rays>(self, s: S) {
         for (rays, hits) in self.rays.iter().zip(self.hits) {
             for start in (0..BLOCK).step_by(S::LANES) {
                 let packet = Packet::load(s, rays, start);
-                let mut nearest = Nearest::new(s, rays, start);
-                let anywhere = s.splat(f32::NEG_INFINITY);
-                for p in &self.accel.planes {
-                    let t = plane::distance(s, &packet, p);
-                    let hit = Crossing::at(s, nearest.active, t);
-                    nearest.offer(s, &hit, anywhere, [p.primitive, 0]);
-                }
-                let mut walk = Walk { accel: self.accel, nearest };
-                traverse(s, &self.accel.bvh.nodes, &packet, &mut walk);
-                walk.nearest.store(s, hits, start);
+                self.accel.find(s, &packet, Nearest::load(s, rays, start)).store(s, hits, start);
             }
+        }
+    }
+}
+
+struct ClosestEach<'a> {
+    accel: &'a Accel,
+    rays: &'a [Ray],
+    hits: &'a mut [Option<Hit>],
+}
+
+impl Kernel for ClosestEach<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<S: Rays>(self, s: S) {
+        let one = One(s.eight());
+        for (ray, hit) in self.rays.iter().zip(self.hits) {
+            let alone = Packet::new(one, ray.origin.into(), ray.direction.into());
+            *hit = self.accel.find(one, &alone, Nearest::new(one, ray.t_max)).hit();
         }
     }
 }
@@ -65,31 +98,31 @@ struct Nearest<S: Simd> {
 }
 
 impl<S: Simd> Nearest<S> {
+    /// Nothing yet, for rays that start at their origins.
     #[inline(always)]
-    fn new(s: S, rays: &RayBlock, start: usize) -> Self {
-        let zero = s.splat(0.0);
-        let t = s.load(&rays.t_max[start..]);
+    fn new(s: S, t_max: S::F) -> Self {
+        let (zero, nothing) = (s.splat(0.0), s.splat(f32::from_bits(NOTHING)));
         Self {
-            t,
-            primitive: s.splat(f32::from_bits(NOTHING)),
+            t: t_max,
+            primitive: nothing,
             triangle: zero,
             u: zero,
             v: zero,
-            start_t: s.load(&rays.start_t[start..]),
-            start_primitive: s.load(&rays.start_primitive[start..]),
-            start_triangle: s.load(&rays.start_triangle[start..]),
-            active: s.lt(zero, t),
+            start_t: zero,
+            start_primitive: nothing,
+            start_triangle: nothing,
+            active: s.lt(zero, t_max),
         }
     }
 
-    /// Offers the first crossing of a closed form after the start.
     #[inline(always)]
-    fn offer_span(&mut self, s: S, span: &Span<S>, from: S::F, primitive: u32) {
-        let id = s.splat(f32::from_bits(primitive));
-        let entry = s.max(from, span.near);
-        let enters = s.and(s.lt(s.splat(0.0), span.near), self.is_after_start(s, entry, id, s.splat(0.0)));
-        let t = s.select(enters, span.near, span.far);
-        self.offer(s, &Crossing::at(s, span.mask, t), from, [primitive, 0]);
+    fn load(s: S, rays: &RayBlock, start: usize) -> Self {
+        Self {
+            start_t: s.load(&rays.start_t[start..]),
+            start_primitive: s.load(&rays.start_primitive[start..]),
+            start_triangle: s.load(&rays.start_triangle[start..]),
+            ..Self::new(s, s.load(&rays.t_max[start..]))
+        }
     }
 
     /// Takes a hit of a triangle of a primitive in the lanes of its mask where it is nearer, or as near and of an earlier
@@ -149,113 +182,83 @@ fn precedes<S: Simd>(s: S, [primitive, triangle]: [S::F; 2], [of_primitive, of_t
     s.or(s.lt(primitive, of_primitive), same)
 }
 
-/// The way through the scene's tree.
-struct Walk<'a, S: Simd> {
-    accel: &'a Accel,
-    nearest: Nearest<S>,
+impl<E: Simd> Nearest<One<E>> {
+    #[inline(always)]
+    fn hit(&self) -> Option<Hit> {
+        (self.primitive.to_bits() != NOTHING).then(|| Hit {
+            t: self.t,
+            primitive: self.primitive.to_bits(),
+            triangle: self.triangle.to_bits(),
+            uv: [self.u, self.v],
+        })
+    }
 }
 
-impl<S: Simd> Visitor<S> for Walk<'_, S> {
+impl<S: Rays> Receive<S> for Nearest<S> {
     const NEAREST_FIRST: bool = true;
+    type Single = Nearest<One<S::Eight>>;
 
     #[inline(always)]
     fn active(&self, _: S) -> S::M {
-        self.nearest.active
+        self.active
     }
 
     #[inline(always)]
     fn t_min(&self, _: S) -> S::F {
-        self.nearest.start_t
+        self.start_t
     }
 
     #[inline(always)]
-    fn t_max(&self) -> S::F {
-        self.nearest.t
+    fn t_max(&self, _: S) -> S::F {
+        self.t
+    }
+
+    /// Offers the first crossing after the start.
+    #[inline(always)]
+    fn span(&mut self, s: S, span: &Span<S>, from: S::F, primitive: u32) {
+        let id = s.splat(f32::from_bits(primitive));
+        let entry = s.max(from, span.near);
+        let enters = s.and(s.lt(s.splat(0.0), span.near), self.is_after_start(s, entry, id, s.splat(0.0)));
+        let t = s.select(enters, span.near, span.far);
+        self.offer(s, &Crossing::at(s, span.mask, t), from, [primitive, 0]);
     }
 
     #[inline(always)]
-    fn leaf(&mut self, s: S, packet: &Packet<S>, node: &Node, Entry { mask, near }: Entry<S>) {
-        let run = node.first as usize..(node.first + node.count()) as usize;
-        let (accel, nearest) = (self.accel, &mut self.nearest);
-        match node.kind_or_axis() {
-            leaf::SPHERE => {
-                for ball in &accel.spheres[run] {
-                    if let Some(span) = sphere::span(s, packet, ball.center, ball.radius, mask) {
-                        nearest.offer_span(s, &span, near, ball.primitive);
-                    }
-                }
-            }
-            leaf::BOX => {
-                for unit in &accel.boxes[run] {
-                    let inside = packet.transformed(s, &unit.unit_from_world);
-                    if let Some(span) = cuboid::span(s, &inside, mask) {
-                        nearest.offer_span(s, &span, near, unit.primitive);
-                    }
-                }
-            }
-            leaf::ELLIPSOID => {
-                for unit in &accel.ellipsoids[run] {
-                    let inside = packet.transformed(s, &unit.unit_from_world);
-                    if let Some(span) = sphere::span(s, &inside, [0.0; 3], 1.0, mask) {
-                        nearest.offer_span(s, &span, near, unit.primitive);
-                    }
-                }
-            }
-            leaf::TRIANGLE => {
-                for t in &accel.triangles[run] {
-                    if let Some(hit) = triangle::crossing(s, packet, t, mask) {
-                        nearest.offer(s, &hit, near, [t.id, 0]);
-                    }
-                }
-            }
-            _ => {
-                for instance in &accel.instances[run] {
-                    let inside = packet.transformed(s, &instance.mesh_from_world);
-                    let mut walk = MeshWalk { instance, from: near, nearest: *nearest };
-                    walk.nearest.active = mask;
-                    traverse(s, &instance.mesh.bvh.nodes, &inside, &mut walk);
-                    let active = nearest.active;
-                    *nearest = Nearest { active, ..walk.nearest };
-                }
-            }
+    fn crossing(&mut self, s: S, hit: &Crossing<S>, from: S::F, surface: Surface) {
+        self.offer(s, hit, from, [surface.primitive, surface.triangle]);
+    }
+
+    #[inline(always)]
+    fn narrowed(&self, _: S, mask: S::M) -> Self {
+        Self { active: mask, ..*self }
+    }
+
+    #[inline(always)]
+    fn widen(&mut self, _: S, inner: Self, _: S::M) {
+        *self = Self { active: self.active, ..inner };
+    }
+
+    #[inline(always)]
+    fn single(&self, s: S, lane: usize) -> Self::Single {
+        Nearest {
+            t: s.lane(self.t, lane),
+            primitive: s.lane(self.primitive, lane),
+            triangle: s.lane(self.triangle, lane),
+            u: s.lane(self.u, lane),
+            v: s.lane(self.v, lane),
+            start_t: s.lane(self.start_t, lane),
+            start_primitive: s.lane(self.start_primitive, lane),
+            start_triangle: s.lane(self.start_triangle, lane),
+            active: true,
         }
     }
-}
-
-/// The way through a mesh's tree.
-struct MeshWalk<'a, S: Simd> {
-    instance: &'a Instance,
-    /// Where the rays enter the instance's box.
-    from: S::F,
-    nearest: Nearest<S>,
-}
-
-impl<S: Simd> Visitor<S> for MeshWalk<'_, S> {
-    const NEAREST_FIRST: bool = true;
 
     #[inline(always)]
-    fn active(&self, _: S) -> S::M {
-        self.nearest.active
-    }
-
-    #[inline(always)]
-    fn t_min(&self, _: S) -> S::F {
-        self.nearest.start_t
-    }
-
-    #[inline(always)]
-    fn t_max(&self) -> S::F {
-        self.nearest.t
-    }
-
-    #[inline(always)]
-    fn leaf(&mut self, s: S, packet: &Packet<S>, node: &Node, Entry { mask, near }: Entry<S>) {
-        let run = node.first as usize..(node.first + node.count()) as usize;
-        for t in &self.instance.mesh.triangles[run] {
-            if let Some(hit) = triangle::crossing(s, packet, t, mask) {
-                let from = s.max(self.from, near);
-                self.nearest.offer(s, &hit, from, [self.instance.primitive, t.id]);
-            }
-        }
+    fn take_single(&mut self, s: S, lane: usize, single: &Self::Single) {
+        self.t = s.with_lane(self.t, lane, single.t);
+        self.primitive = s.with_lane(self.primitive, lane, single.primitive);
+        self.triangle = s.with_lane(self.triangle, lane, single.triangle);
+        self.u = s.with_lane(self.u, lane, single.u);
+        self.v = s.with_lane(self.v, lane, single.v);
     }
 }

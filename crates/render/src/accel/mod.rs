@@ -4,25 +4,33 @@
 //! triangles. Leaves are typed: spheres, boxes, ellipsoids and triangles stay exact, meshes are entered through their own
 //! space. Planes have no box and are tested first. Rays go in packets, a ray a lane ([`simd`]).
 
-pub mod bvh;
 mod closest;
+mod level;
+mod mesh;
+mod occluded;
 pub(crate) mod packet;
+mod packet_walk;
 pub mod primitives;
+pub(crate) mod rays;
 pub mod simd;
+mod single;
 mod stream;
 mod transmittance;
+pub mod tree;
 
 pub use packet::Packet;
 pub use stream::{BLOCK, Column, Hit, HitBlock, HitStream, NOTHING, RayBlock, RayStream};
 
-use bvh::{Bvh, Item};
+pub use mesh::MeshAccel;
+
 use primitives::cuboid::Unit;
 use primitives::plane::Plane;
-use primitives::sphere::Sphere;
-use primitives::triangle::Triangle;
+use primitives::sphere::{Sphere, SphereBlock};
+use primitives::triangle::TriangleBlock;
 use simd::Instructions;
 use std::sync::Arc;
-use vitrine_math::{Affine3A, Bounds3};
+use tree::{Item, Leaves, Tree};
+use vitrine_math::{Affine3A, Bounds3, Vec3};
 
 /// The kinds of leaves.
 mod leaf {
@@ -33,39 +41,8 @@ mod leaf {
     pub const MESH: u8 = 4;
 }
 
-/// A mesh ready for rays, in its own space.
-#[derive(Debug)]
-pub struct MeshAccel {
-    bvh: Bvh,
-    triangles: Vec<Triangle>,
-    /// Which material slot each triangle has, by its index in the model; empty when all have slot 0.
-    slots: Vec<u16>,
-}
-
-impl MeshAccel {
-    /// Builds the tree over triangles, whose `id` is their place in the model.
-    #[must_use]
-    pub fn new(triangles: &[Triangle], bounds: impl Fn(&Triangle) -> Bounds3, slots: Vec<u16>) -> Self {
-        let item =
-            |(i, t): (usize, &Triangle)| Item { bounds: bounds(t), index: i as u32, kind: leaf::TRIANGLE };
-        let (bvh, order) = bvh::build(triangles.iter().enumerate().map(item).collect());
-        let triangles = order.iter().map(|i| triangles[i.index as usize]).collect();
-        Self { bvh, triangles, slots }
-    }
-
-    /// The material slot of a triangle, by its place in the model.
-    #[inline(always)]
-    #[must_use]
-    pub fn slot(&self, triangle: u32) -> u32 {
-        self.slots.get(triangle as usize).map_or(0, |&s| u32::from(s))
-    }
-
-    /// Bytes of the arrays.
-    #[must_use]
-    pub fn memory(&self) -> usize {
-        size_of_val(&*self.bvh.nodes) + size_of_val(&*self.triangles) + size_of_val(&*self.slots)
-    }
-}
+/// How many of each kind a leaf holds: balls and triangles stand in blocks, the others cost more.
+const LEAVES: Leaves = Leaves { most: [2, 1, 1, 8, 1, 1, 1, 1] };
 
 /// A mesh at a place in the world.
 #[derive(Clone, Debug)]
@@ -76,6 +53,13 @@ pub struct Instance {
     pub mesh: Arc<MeshAccel>,
     /// Its place among the scene's primitives.
     pub primitive: u32,
+}
+
+/// Adds the items of a leaf; gives the place of the first.
+fn append<T>(to: &mut Vec<T>, items: impl Iterator<Item = T>) -> u32 {
+    let first = to.len() as u32;
+    to.extend(items);
+    first
 }
 
 /// The materials of a primitive: that of slot k is `first + k`.
@@ -98,8 +82,8 @@ pub struct Primitives {
     pub boxes: Vec<(Unit, Bounds3)>,
     /// Balls of radius 1 in a space of their own.
     pub ellipsoids: Vec<(Unit, Bounds3)>,
-    /// Single triangles.
-    pub triangles: Vec<(Triangle, Bounds3)>,
+    /// Single triangles: their corners, and their places among the scene's primitives.
+    pub triangles: Vec<([Vec3; 3], u32)>,
     /// Meshes.
     pub instances: Vec<(Instance, Bounds3)>,
     /// Each primitive's materials, by its place among the scene's primitives.
@@ -109,12 +93,12 @@ pub struct Primitives {
 /// Everything that a ray can hit.
 #[derive(Debug)]
 pub struct Accel {
-    bvh: Bvh,
+    tree: Tree,
     planes: Vec<Plane>,
-    spheres: Vec<Sphere>,
+    spheres: Vec<SphereBlock>,
     boxes: Vec<Unit>,
     ellipsoids: Vec<Unit>,
-    triangles: Vec<Triangle>,
+    triangles: Vec<TriangleBlock>,
     instances: Vec<Instance>,
     materials: Vec<MaterialSlots>,
     /// Each material's transparency, 0 to 1.
@@ -127,29 +111,42 @@ impl Accel {
     #[must_use]
     pub fn new(primitives: Primitives, transparencies: Vec<f32>) -> Self {
         fn items<T>(kind: u8, all: &[(T, Bounds3)]) -> impl Iterator<Item = Item> {
-            all.iter().enumerate().map(move |(i, (_, bounds))| Item {
-                bounds: *bounds,
-                index: i as u32,
-                kind,
-            })
+            all.iter().enumerate().map(move |(i, (_, bounds))| Item::new(bounds, i as u32, kind))
         }
         let p = primitives;
+        let single = |(i, (corners, _)): (usize, &([Vec3; 3], u32))| {
+            Item::new(&Bounds3::around(*corners), i as u32, leaf::TRIANGLE)
+        };
         let all = items(leaf::SPHERE, &p.spheres)
             .chain(items(leaf::BOX, &p.boxes))
             .chain(items(leaf::ELLIPSOID, &p.ellipsoids))
-            .chain(items(leaf::TRIANGLE, &p.triangles))
+            .chain(p.triangles.iter().enumerate().map(single))
             .chain(items(leaf::MESH, &p.instances));
-        let (bvh, order) = bvh::build(all.collect());
-        fn ordered<T: Clone>(kind: u8, all: &[(T, Bounds3)], order: &[Item]) -> Vec<T> {
-            order.iter().filter(|i| i.kind == kind).map(|i| all[i.index as usize].0.clone()).collect()
-        }
+        let (mut spheres, mut triangles) = (Vec::new(), Vec::new());
+        let (mut boxes, mut ellipsoids, mut instances) = (Vec::new(), Vec::new(), Vec::new());
+        let tree = Tree::build(all.collect(), LEAVES, &mut |kind, items| {
+            let of = |i: &Item| i.index() as usize;
+            match kind {
+                leaf::SPHERE => {
+                    spheres.push(SphereBlock::new(items.iter().map(|i| &p.spheres[of(i)].0)));
+                    spheres.len() as u32 - 1
+                }
+                leaf::TRIANGLE => {
+                    triangles.push(TriangleBlock::new(items.iter().map(|i| p.triangles[of(i)])));
+                    triangles.len() as u32 - 1
+                }
+                leaf::BOX => append(&mut boxes, items.iter().map(|i| p.boxes[of(i)].0)),
+                leaf::ELLIPSOID => append(&mut ellipsoids, items.iter().map(|i| p.ellipsoids[of(i)].0)),
+                _ => append(&mut instances, items.iter().map(|i| p.instances[of(i)].0.clone())),
+            }
+        });
         Self {
-            bvh,
-            spheres: ordered(leaf::SPHERE, &p.spheres, &order),
-            boxes: ordered(leaf::BOX, &p.boxes, &order),
-            ellipsoids: ordered(leaf::ELLIPSOID, &p.ellipsoids, &order),
-            triangles: ordered(leaf::TRIANGLE, &p.triangles, &order),
-            instances: ordered(leaf::MESH, &p.instances, &order),
+            tree,
+            spheres,
+            boxes,
+            ellipsoids,
+            triangles,
+            instances,
             planes: p.planes,
             materials: p.materials,
             transparencies,
@@ -180,7 +177,7 @@ impl Accel {
     /// Bytes of the arrays, those of meshes apart.
     #[must_use]
     pub fn memory(&self) -> usize {
-        size_of_val(&*self.bvh.nodes)
+        self.tree.memory()
             + size_of_val(&*self.spheres)
             + size_of_val(&*self.boxes)
             + size_of_val(&*self.ellipsoids)

@@ -1,8 +1,9 @@
-//! A packet of rays, one in each lane, and its way through a tree.
+//! A packet of rays, one in each lane.
 
-use super::bvh::{Node, STACK};
+use super::primitives::triangle::{ORDER, Sheared};
 use super::simd::Simd;
 use super::stream::{Column, RayBlock};
+use super::tree::{Node, WIDTH};
 use vitrine_math::Affine3A;
 
 /// Rays in lanes.
@@ -18,8 +19,6 @@ pub struct Packet<S: Simd> {
     pub dd: S::F,
     /// 1 / `dd`
     pub inv_dd: S::F,
-    /// Bit k: most rays go down along axis k, so a node's second child is the nearer.
-    down: u32,
 }
 
 impl<S: Simd> Packet<S> {
@@ -31,17 +30,9 @@ impl<S: Simd> Packet<S> {
     /// Rays by their origins and directions.
     #[inline(always)]
     pub fn new(s: S, o: [S::F; 3], d: [S::F; 3]) -> Self {
-        let zero = s.splat(0.0);
-        let mut down = 0;
-        let mut inv = [zero; 3];
-        for k in 0..3 {
-            // A component of zero would make ∞ and then NaN on the face of a box: take a tiny one in its place.
-            let tiny = s.lt(s.abs(d[k]), s.splat(1e-20));
-            down |= u32::from(s.bits(s.lt(d[k], zero)).count_ones() as usize * 2 > S::LANES) << k;
-            inv[k] = s.div(s.splat(1.0), s.select(tiny, s.splat(1e-20), d[k]));
-        }
         let dd = dot(s, &d, &d);
-        Self { o, d, inv, dd, inv_dd: s.div(s.splat(1.0), dd), down }
+        let inv = [inverse(s, d[0]), inverse(s, d[1]), inverse(s, d[2])];
+        Self { o, d, inv, dd, inv_dd: s.div(s.splat(1.0), dd) }
     }
 
     /// The same rays in another space; distances keep their meaning.
@@ -50,22 +41,55 @@ impl<S: Simd> Packet<S> {
         Self::new(s, moved(s, to, &self.o), turned(s, to, &self.d))
     }
 
-    /// Which rays pass the box between `t_min` and `t_max`, and where they enter it, which may be behind their origins. Never
-    /// misses for want of precision: the far side is rounded up (Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013).
+    /// Which rays pass a child's box between `t_min` and `t_max`, and where they enter it, which may be behind their origins.
+    /// Never misses for want of precision: the far side is rounded up (Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013).
     ///
     /// Rounding keeps order, so a ray never enters a box before the boxes around it.
     #[inline(always)]
-    pub fn meets_box(&self, s: S, node: &Node, t_min: S::F, t_max: S::F) -> Entry<S> {
+    pub fn meets_box(&self, s: S, node: &Node, place: usize, t_min: S::F, t_max: S::F) -> Entry<S> {
         let mut near = s.splat(f32::NEG_INFINITY);
-        let mut far = t_max;
+        let mut far = s.splat(f32::INFINITY);
         for k in 0..3 {
-            let t0 = s.mul(s.sub(s.splat(node.min[k]), self.o[k]), self.inv[k]);
-            let t1 = s.mul(s.sub(s.splat(node.max[k]), self.o[k]), self.inv[k]);
+            let (low, high) = (node.rows[2 * k][place % WIDTH], node.rows[2 * k + 1][place % WIDTH]);
+            let t0 = s.mul(s.sub(s.splat(low), self.o[k]), self.inv[k]);
+            let t1 = s.mul(s.sub(s.splat(high), self.o[k]), self.inv[k]);
             near = s.max(near, s.min(t0, t1));
-            far = s.min(far, s.mul(s.max(t0, t1), s.splat(1.000_000_5)));
+            far = s.min(far, s.max(t0, t1));
         }
+        let far = s.min(s.mul(far, s.splat(FAR_ROUNDED_UP)), t_max);
         Entry { mask: s.le(s.max(near, t_min), far), near }
     }
+
+    /// Which rays go fastest along each axis; of equal axes the first counts.
+    #[inline(always)]
+    pub fn fastest(&self, s: S) -> [S::M; 3] {
+        let [x, y, z] = [s.abs(self.d[0]), s.abs(self.d[1]), s.abs(self.d[2])];
+        let along_x = s.and(s.le(y, x), s.le(z, x));
+        let along_y = s.and_not(s.le(z, y), along_x);
+        let along_z = s.and_not(s.and_not(s.le(x, x), along_x), along_y);
+        [along_x, along_y, along_z]
+    }
+
+    /// The rays sheared onto an axis, for tests of triangles.
+    #[inline(always)]
+    pub fn sheared(&self, s: S, axis: usize) -> Sheared<S> {
+        let [x, y, z] = ORDER[axis % 3];
+        let slope = self.inv[z];
+        Sheared {
+            o: [self.o[x], self.o[y], self.o[z]],
+            slope: [s.mul(self.d[x], slope), s.mul(self.d[y], slope), slope],
+        }
+    }
+}
+
+/// What makes up for the rounding of a box's far side.
+pub const FAR_ROUNDED_UP: f32 = 1.000_000_5;
+
+/// 1/d. A component of zero would make ∞ and then NaN on the face of a box: a tiny one takes its place.
+#[inline(always)]
+fn inverse<S: Simd>(s: S, d: S::F) -> S::F {
+    let tiny = s.lt(s.abs(d), s.splat(1e-20));
+    s.div(s.splat(1.0), s.select(tiny, s.splat(1e-20), d))
 }
 
 // The kernels below spell out all three components: closures over lanes would not be inlined into the functions that have
@@ -100,16 +124,6 @@ pub fn load3<S: Simd>(s: S, from: &[Column; 3], start: usize) -> [S::F; 3] {
 #[inline(always)]
 pub fn dot<S: Simd>(s: S, a: &[S::F; 3], b: &[S::F; 3]) -> S::F {
     s.add(s.add(s.mul(a[0], b[0]), s.mul(a[1], b[1])), s.mul(a[2], b[2]))
-}
-
-/// a × b in each lane.
-#[inline(always)]
-pub fn cross<S: Simd>(s: S, a: &[S::F; 3], b: &[S::F; 3]) -> [S::F; 3] {
-    [
-        s.sub(s.mul(a[1], b[2]), s.mul(a[2], b[1])),
-        s.sub(s.mul(a[2], b[0]), s.mul(a[0], b[2])),
-        s.sub(s.mul(a[0], b[1]), s.mul(a[1], b[0])),
-    ]
 }
 
 /// The same vector in each lane.
@@ -156,56 +170,11 @@ pub fn store3<S: Simd>(s: S, v: &[S::F; 3], to: &mut [Column; 3], start: usize) 
     s.store(v[2], &mut to[2][start..]);
 }
 
-/// Where rays enter a node's box.
+/// Where rays enter a box.
 #[derive(Clone, Copy)]
 pub struct Entry<S: Simd> {
     /// The rays that do.
     pub mask: S::M,
     /// Where; may be behind their origins.
     pub near: S::F,
-}
-
-/// What a walk through a tree does at its leaves.
-pub trait Visitor<S: Simd> {
-    /// Whether nearer children go first. Without it each ray meets its leaves in one order, whatever rays are beside it.
-    const NEAREST_FIRST: bool;
-    /// Rays that still look for something.
-    fn active(&self, s: S) -> S::M;
-    /// Hits before these distances are of no use.
-    fn t_min(&self, s: S) -> S::F;
-    /// Hits beyond these distances are of no use.
-    fn t_max(&self) -> S::F;
-    /// A leaf: primitives `first..first + count` of its kind, for the rays that enter its box.
-    fn leaf(&mut self, s: S, packet: &Packet<S>, leaf: &Node, entry: Entry<S>);
-}
-
-/// Takes a packet through a tree.
-#[inline(always)]
-pub fn traverse<S: Simd, V: Visitor<S>>(s: S, nodes: &[Node], packet: &Packet<S>, visitor: &mut V) {
-    if nodes.is_empty() {
-        return;
-    }
-    let mut stack = [0_u32; STACK];
-    let mut top = 0;
-    let mut index = 0_u32;
-    loop {
-        let node = &nodes[index as usize];
-        let mut entry = packet.meets_box(s, node, visitor.t_min(s), visitor.t_max());
-        entry.mask = s.and(visitor.active(s), entry.mask);
-        if s.any(entry.mask) {
-            if node.count() == 0 {
-                let second = if V::NEAREST_FIRST { packet.down >> node.kind_or_axis() & 1 } else { 0 };
-                stack[top] = node.first + 1 - second;
-                top += 1;
-                index = node.first + second;
-                continue;
-            }
-            visitor.leaf(s, packet, node, entry);
-        }
-        if top == 0 {
-            return;
-        }
-        top -= 1;
-        index = stack[top];
-    }
 }

@@ -8,6 +8,7 @@
 //! holds one may call them.
 #![allow(unsafe_code)]
 
+use super::rays::Rays;
 use vitrine_math::pow_unit;
 
 /// Lanes of 32-bit floats and masks over them.
@@ -69,6 +70,49 @@ pub trait Simd: Copy {
     fn packed(self, mask: Self::M, shift: usize) -> Self::Order;
     /// The lanes in that order.
     fn permute(self, v: Self::F, order: Self::Order) -> Self::F;
+    /// Does a kernel's work in a function of its own that has the instructions switched on.
+    fn call<K: Kernel>(self, kernel: K) -> K::Output;
+
+    /// The least value of all lanes, none of which is NaN.
+    #[inline(always)]
+    fn least(self, v: Self::F) -> f32 {
+        let mut lanes = [0.0; 16];
+        self.store(v, &mut lanes);
+        lanes[1..Self::LANES].iter().fold(lanes[0], |a, &b| if b < a { b } else { a })
+    }
+
+    /// The greatest value of all lanes, none of which is NaN.
+    #[inline(always)]
+    fn greatest(self, v: Self::F) -> f32 {
+        let mut lanes = [0.0; 16];
+        self.store(v, &mut lanes);
+        lanes[1..Self::LANES].iter().fold(lanes[0], |a, &b| if b > a { b } else { a })
+    }
+
+    /// The value of one lane.
+    #[inline(always)]
+    fn lane(self, v: Self::F, lane: usize) -> f32 {
+        let mut lanes = [0.0; 16];
+        self.store(v, &mut lanes);
+        lanes[lane % 16]
+    }
+
+    /// The same with another value in one lane.
+    #[inline(always)]
+    fn with_lane(self, v: Self::F, lane: usize, value: f32) -> Self::F {
+        let mut lanes = [0.0; 16];
+        self.store(v, &mut lanes);
+        lanes[lane % 16] = value;
+        self.load(&lanes)
+    }
+
+    /// One lane alone.
+    #[inline(always)]
+    fn only(self, lane: usize) -> Self::M {
+        let mut lanes = [0.0; 16];
+        lanes[lane % 16] = 1.0;
+        self.lt(self.splat(0.0), self.load(&lanes))
+    }
 
     /// `x^y` by [`pow_unit`], with its range and precision.
     #[inline(always)]
@@ -94,7 +138,7 @@ pub trait Kernel {
     /// What it gives back.
     type Output;
     /// Does it. Must be `#[inline(always)]`, and so must what it calls in its loops.
-    fn run<S: Simd>(self, simd: S) -> Self::Output;
+    fn run<S: Rays>(self, simd: S) -> Self::Output;
 }
 
 /// The instruction sets that a kernel can run on.
@@ -124,10 +168,13 @@ impl Instructions {
         let mut all = vec![Self::Portable];
         #[cfg(target_arch = "x86_64")]
         {
-            if is_x86_feature_detected!("avx2") {
+            let has_bits = is_x86_feature_detected!("bmi1")
+                && is_x86_feature_detected!("lzcnt")
+                && is_x86_feature_detected!("popcnt");
+            if has_bits && is_x86_feature_detected!("avx2") {
                 all.push(Self::Avx2(Avx2(())));
             }
-            if is_x86_feature_detected!("avx512f") {
+            if has_bits && is_x86_feature_detected!("avx512f") {
                 all.push(Self::Avx512(Avx512(())));
             }
         }
@@ -149,13 +196,13 @@ impl Instructions {
 }
 
 #[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2")]
+#[target_feature(enable = "avx2,bmi1,lzcnt,popcnt")]
 fn run_avx2<K: Kernel>(token: Avx2, kernel: K) -> K::Output {
     kernel.run(token)
 }
 
 #[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx512f")]
+#[target_feature(enable = "avx512f,bmi1,lzcnt,popcnt")]
 fn run_avx512<K: Kernel>(token: Avx512, kernel: K) -> K::Output {
     kernel.run(token)
 }
@@ -243,6 +290,18 @@ impl Simd for Portable {
     fn permute(self, v: [f32; 8], order: [u8; 8]) -> [f32; 8] {
         order.map(|i| v[usize::from(i) % 8])
     }
+    fn call<K: Kernel>(self, kernel: K) -> K::Output {
+        kernel.run(self)
+    }
+}
+
+impl Rays for Portable {
+    type Eight = Self;
+
+    #[inline(always)]
+    fn eight(self) -> Self {
+        self
+    }
 }
 
 /// The lanes of each mask of eight in turn, then zeros.
@@ -268,7 +327,7 @@ pub use x86::{Avx2, Avx512};
 
 #[cfg(target_arch = "x86_64")]
 mod x86 {
-    use super::{Simd, TOGETHER};
+    use super::{Kernel, Rays, Simd, TOGETHER, run_avx2, run_avx512};
     use std::arch::x86_64::*;
 
     /// Proof that the processor has AVX2; 8 lanes.
@@ -284,6 +343,7 @@ mod x86 {
             #[inline(always)]
             fn $name(self, $($arg: $type),*) -> $out {
                 // SAFETY: `self` proves that the processor has the instruction.
+                #[allow(unused_unsafe, reason = "some intrinsics are safe where the instructions are on")]
                 unsafe { $value }
             }
         )*};
@@ -341,6 +401,19 @@ mod x86 {
             // SAFETY: there is room for eight floats; the store needs no alignment.
             unsafe { _mm256_storeu_ps(to.as_mut_ptr(), v) }
         }
+        fn call<K: Kernel>(self, kernel: K) -> K::Output {
+            // SAFETY: `self` proves that the processor has the instructions.
+            unsafe { run_avx2(self, kernel) }
+        }
+    }
+
+    impl Rays for Avx2 {
+        type Eight = Self;
+
+        #[inline(always)]
+        fn eight(self) -> Self {
+            self
+        }
     }
 
     impl Simd for Avx512 {
@@ -365,6 +438,9 @@ mod x86 {
             eq(a: __m512, b: __m512) -> __mmask16 = _mm512_cmp_ps_mask::<_CMP_EQ_OQ>(a, b);
             select(mask: __mmask16, yes: __m512, no: __m512) -> __m512 = _mm512_mask_blend_ps(mask, no, yes);
             permute(v: __m512, order: __m512i) -> __m512 = _mm512_permutexvar_ps(order, v);
+            least(v: __m512) -> f32 = _mm512_reduce_min_ps(v);
+            greatest(v: __m512) -> f32 = _mm512_reduce_max_ps(v);
+            only(lane: usize) -> __mmask16 = 1 << (lane % 16);
         }
 
         #[inline(always)]
@@ -405,6 +481,20 @@ mod x86 {
         #[inline(always)]
         fn bits(self, mask: __mmask16) -> u32 {
             u32::from(mask)
+        }
+        fn call<K: Kernel>(self, kernel: K) -> K::Output {
+            // SAFETY: `self` proves that the processor has the instructions.
+            unsafe { run_avx512(self, kernel) }
+        }
+    }
+
+    impl Rays for Avx512 {
+        type Eight = Avx2;
+
+        /// AVX-512 brings AVX2 with it.
+        #[inline(always)]
+        fn eight(self) -> Avx2 {
+            Avx2(())
         }
     }
 }

@@ -1,7 +1,7 @@
 //! All ways of tracing a ray must agree: with a plain test of every primitive in turn, and on every instruction set.
 
 use super::*;
-use crate::accel::bvh::Node;
+use crate::accel::tree::{Node, WIDTH};
 use vitrine_math::{Mat3, Ray, Vec3, hash};
 
 /// Numbers from −1 to 1.
@@ -20,6 +20,12 @@ impl Numbers {
 
 fn around(center: Vec3, radius: f32) -> Bounds3 {
     Bounds3 { min: center - Vec3::splat(radius), max: center + Vec3::splat(radius) }
+}
+
+/// A mesh of triangles that share no corners.
+fn mesh(corners: &[[Vec3; 3]], slots: Vec<u16>) -> MeshAccel {
+    let triangles: Vec<_> = (0..corners.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+    MeshAccel::new(corners.as_flattened(), &triangles, slots)
 }
 
 /// A bit of everything; transparencies 0, 0.25 and 0.5 so that products are exact in any order.
@@ -49,7 +55,7 @@ fn scene(seed: u32) -> Accel {
         let a = numbers.vector() * 5.0;
         let points = [a, a + numbers.vector() * 2.0, a + numbers.vector() * 2.0];
         let id = id(&mut p);
-        p.triangles.push((Triangle::new(points, id), Bounds3::around(points)));
+        p.triangles.push((points, id));
     }
     for height in [-4.0, 4.5] {
         let primitive = id(&mut p);
@@ -61,9 +67,7 @@ fn scene(seed: u32) -> Accel {
             [a, a + numbers.vector() * 0.4, a + numbers.vector() * 0.4]
         })
         .collect();
-    let triangles: Vec<_> = corners.iter().enumerate().map(|(i, c)| Triangle::new(*c, i as u32)).collect();
-    let bounds = |t: &Triangle| Bounds3::around(corners[t.id as usize]);
-    let mesh = Arc::new(MeshAccel::new(&triangles, bounds, (0..200).map(|i| i % 3).collect()));
+    let mesh = Arc::new(mesh(&corners, (0..200).map(|i| i % 3).collect()));
     for k in 0..3 {
         let center = numbers.vector() * 3.0;
         let turn = vitrine_math::rotation_from_turn(numbers.vector() * 180.0);
@@ -97,20 +101,23 @@ fn rays(seed: u32, count: usize) -> RayStream {
 /// The same scene with one leaf for each primitive and no box that culls: every ray is tested against everything.
 fn without_tree(mut accel: Accel) -> Accel {
     let everywhere = Bounds3 { min: Vec3::splat(-1e6), max: Vec3::splat(1e6) };
-    open(&mut accel.bvh.nodes, &everywhere);
+    open(&mut accel.tree.nodes, &everywhere);
     for instance in &mut accel.instances {
-        let mesh = Arc::clone(&instance.mesh);
-        let mut nodes = mesh.bvh.nodes.clone();
-        open(&mut nodes, &everywhere);
-        let (triangles, slots) = (mesh.triangles.clone(), mesh.slots.clone());
-        instance.mesh = Arc::new(MeshAccel { bvh: Bvh { nodes }, triangles, slots });
+        let mut mesh = MeshAccel::clone(&instance.mesh);
+        open(&mut mesh.tree.nodes, &everywhere);
+        instance.mesh = Arc::new(mesh);
     }
     accel
 }
 
 fn open(nodes: &mut [Node], bounds: &Bounds3) {
     for node in nodes {
-        (node.min, node.max) = (bounds.min.into(), bounds.max.into());
+        for place in (0..WIDTH).filter(|&place| !node.bounds(place).is_empty()).collect::<Vec<_>>() {
+            for axis in 0..3 {
+                node.rows[2 * axis][place] = bounds.min[axis];
+                node.rows[2 * axis + 1][place] = bounds.max[axis];
+            }
+        }
     }
 }
 
@@ -138,6 +145,30 @@ fn the_tree_changes_no_hit_and_no_shadow() {
         let a = transmittance(&tree, &rays);
         assert_eq!(a, transmittance(&all, &rays));
         assert!(a.iter().any(|t| *t > 0.0 && *t < 1.0) && a.contains(&0.0) && a.contains(&1.0));
+    }
+}
+
+/// Single rays, whole packets and packets that fall apart must find the same.
+#[test]
+fn single_rays_find_what_packets_find() {
+    for seed in 20..24 {
+        for set in Instructions::available() {
+            let accel = scene(seed).with_instructions(set);
+            let stream = rays(seed, 3000);
+            let alone: Vec<_> = (0..stream.len()).map(|i| stream.get(i)).collect();
+            let mut hits = vec![None; alone.len()];
+            accel.closest_each(&alone, &mut hits);
+            assert_eq!(hits, closest(&accel, &stream), "{set:?}");
+            let mut blocked = vec![false; alone.len()];
+            accel.occluded_each(&alone, &mut blocked);
+            let mut together = Vec::new();
+            accel.occluded(&stream, &mut together);
+            assert_eq!(blocked, together, "{set:?}");
+            for (i, ((ray, hit), blocked)) in alone.iter().zip(&hits).zip(&blocked).enumerate() {
+                // A surface at the ray's very end stops nothing.
+                assert_eq!(hit.is_some_and(|h| h.t < ray.t_max), *blocked, "ray {i}");
+            }
+        }
     }
 }
 
@@ -247,11 +278,9 @@ fn net() -> (Accel, Vec<Ray>) {
         triangles.extend([[a, b, c], [a, c, d]]);
     }
     let corners: Vec<_> = triangles.iter().map(|t| t.map(|p| turn * p)).collect();
-    let all: Vec<_> = corners.iter().enumerate().map(|(i, c)| Triangle::new(*c, i as u32)).collect();
-    let bounds = |t: &Triangle| Bounds3::around(corners[t.id as usize]);
     let mut p = Primitives::default();
     for primitive in 0..2 {
-        let mesh = Arc::new(MeshAccel::new(&all, bounds, Vec::new()));
+        let mesh = Arc::new(mesh(&corners, Vec::new()));
         p.instances.push((
             Instance { mesh_from_world: Affine3A::IDENTITY, mesh, primitive },
             around(Vec3::ZERO, 15.0),

@@ -6,7 +6,6 @@ use super::touching::drawn_back;
 use crate::accel::primitives::cuboid::Unit;
 use crate::accel::primitives::plane::Plane;
 use crate::accel::primitives::sphere::Sphere;
-use crate::accel::primitives::triangle::Triangle;
 use crate::accel::{Instance, MaterialSlots, MeshAccel, Primitives};
 use crate::error::CompileError;
 use std::collections::HashMap;
@@ -185,7 +184,7 @@ impl Collection {
 
     fn triangle(&mut self, points: [Vec3; 3], uvs: [[f32; 2]; 3]) -> (Form, Bounds3) {
         let bounds = Bounds3::around(points);
-        self.collected.triangles.push((Triangle::new(points, self.next_id()), bounds));
+        self.collected.triangles.push((points, self.next_id()));
         self.triangles += 1;
         (Form::Triangle { points, n: unit_normal(points), uvs }, bounds)
     }
@@ -225,11 +224,7 @@ impl Collection {
             let triangles = mesh.triangles.len();
             return Err(CompileError::TooManyTriangles { object: object.name.clone(), triangles });
         }
-        let corners = |t: [u32; 3]| t.map(|i| mesh.positions[i as usize]);
-        let triangles: Vec<_> =
-            mesh.triangles.iter().enumerate().map(|(i, t)| Triangle::new(corners(*t), i as u32)).collect();
-        let bounds = |t: &Triangle| Bounds3::around(corners(mesh.triangles[t.id as usize]));
-        let accel = Arc::new(MeshAccel::new(&triangles, bounds, slots(mesh)));
+        let accel = Arc::new(MeshAccel::new(&mesh.positions, &mesh.triangles, slots(mesh)));
         self.mesh_memory += accel.memory() + mesh.memory();
         self.meshes.insert(Arc::as_ptr(mesh), (mesh.clone(), accel.clone()));
         Ok(accel)

@@ -8,6 +8,7 @@ use super::soft::SoftLight;
 use super::tile::{Sums, TileOrder};
 use super::wave::{Columns, Joining, lanes_below};
 use crate::accel::packet::{dot, load3, scale3, splat3, sub3};
+use crate::accel::rays::Rays;
 use crate::accel::simd::{Kernel, Simd};
 use crate::accel::{BLOCK, Column, Packet};
 use crate::compile::CompiledLight;
@@ -157,7 +158,7 @@ impl Kernel for Lighting<'_> {
     type Output = u64;
 
     #[inline(always)]
-    fn run<S: Simd>(self, s: S) -> u64 {
+    fn run<S: Rays>(self, s: S) -> u64 {
         let scene = self.wave.task.scene;
         let ambient = splat3(s, scene.ambient.to_array());
         let mut rays = 0;
@@ -194,7 +195,7 @@ impl WaveLight<'_> {
     /// The light of a lamp without size, or of one taken for its middle where shadows do not count: what is scattered and the
     /// highlight, or None when it shines on nothing.
     #[inline(always)]
-    fn shine<S: Simd>(
+    fn shine<S: Rays>(
         &self,
         s: S,
         light: &CompiledLight,

@@ -4,7 +4,7 @@
 use super::TileTask;
 use super::light::{LitBlock, SurfaceLanes, WaveLight, towards};
 use crate::accel::packet::sub3;
-use crate::accel::simd::Simd;
+use crate::accel::rays::Rays;
 use crate::accel::{BLOCK, Column, Packet};
 use crate::samplers::SquareSampler;
 use vitrine_math::{Vec3, warp};
@@ -25,7 +25,7 @@ impl SoftLight<'_> {
     /// The light on surfaces from the lane `start` of a block on: what is scattered and the highlight, or None when it shines on
     /// nothing. Counts shadow rays.
     #[inline(always)]
-    pub fn shine<S: Simd>(&self, s: S, block: &LitBlock, start: usize, rays: &mut u64) -> Option<[S::F; 2]> {
+    pub fn shine<S: Rays>(&self, s: S, block: &LitBlock, start: usize, rays: &mut u64) -> Option<[S::F; 2]> {
         let (mut scattered, mut highlight) = ([0.0; BLOCK], [0.0; BLOCK]);
         for lane in 0..S::LANES {
             let from = start + lane;
@@ -43,7 +43,7 @@ impl SoftLight<'_> {
 }
 
 /// A surface while points of a lamp are tried for it.
-struct SoftShadow<S: Simd> {
+struct SoftShadow<S: Rays> {
     surface: SurfaceLanes<S>,
     /// What has come through, point by point of a round.
     scattered: Column,
@@ -55,7 +55,7 @@ struct SoftShadow<S: Simd> {
     rays: u32,
 }
 
-impl<S: Simd> SoftShadow<S> {
+impl<S: Rays> SoftShadow<S> {
     #[inline(always)]
     fn new(surface: SurfaceLanes<S>) -> Self {
         let zero = [0.0; BLOCK];
@@ -128,7 +128,7 @@ impl<S: Simd> SoftShadow<S> {
 
 /// sum + a·b
 #[inline(always)]
-fn accumulate<S: Simd>(s: S, sum: &mut [f32], a: S::F, b: S::F) {
+fn accumulate<S: Rays>(s: S, sum: &mut [f32], a: S::F, b: S::F) {
     s.store(s.add(s.load(sum), s.mul(a, b)), sum);
 }
 

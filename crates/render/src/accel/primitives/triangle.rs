@@ -1,26 +1,48 @@
-//! Triangles, by Möller and Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", 1997 (course work, section 2.2.2).
+//! Triangles in blocks of eight, tested without gaps: Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1),
+//! 2013.
+//!
+//! The ray is sheared onto an axis, the corners with it, and then only the signs of three areas count. An area belongs to
+//! an edge and has the same digits for both triangles at that edge, so a ray passes between no two of them. (Products
+//! are not fused with differences: that would give the two triangles different digits.)
 
-use crate::accel::packet::{Packet, cross, dot, splat3, sub3};
+use crate::accel::packet::sub3;
 use crate::accel::simd::Simd;
 use vitrine_math::Vec3;
 
-/// A corner and the two edges from it.
+/// Triangles in a block.
+pub const BLOCK_TRIANGLES: usize = 8;
+
+/// Eight triangles, component by component; 320 bytes. Places without one hold NaN, which no ray meets.
 #[derive(Clone, Copy, Debug)]
-pub struct Triangle {
-    /// The first corner.
-    pub a: [f32; 3],
-    /// From the first corner to the second.
-    pub e1: [f32; 3],
-    /// From the first corner to the third.
-    pub e2: [f32; 3],
-    /// Its place among the scene's primitives, or among its mesh's triangles.
-    pub id: u32,
+#[repr(C, align(64))]
+pub struct TriangleBlock {
+    /// Corners × axes × triangles.
+    pub corners: [[[f32; BLOCK_TRIANGLES]; 3]; 3],
+    /// Each triangle's place among the scene's primitives, or among its mesh's triangles.
+    pub ids: [u32; BLOCK_TRIANGLES],
 }
 
-impl Triangle {
-    /// By its corners.
-    pub fn new([a, b, c]: [Vec3; 3], id: u32) -> Self {
-        Self { a: a.into(), e1: (b - a).into(), e2: (c - a).into(), id }
+impl TriangleBlock {
+    /// Up to eight triangles, each with its id.
+    #[must_use]
+    pub fn new(triangles: impl IntoIterator<Item = ([Vec3; 3], u32)>) -> Self {
+        let mut block =
+            Self { corners: [[[f32::NAN; BLOCK_TRIANGLES]; 3]; 3], ids: [u32::MAX; BLOCK_TRIANGLES] };
+        for (place, (corners, id)) in triangles.into_iter().take(BLOCK_TRIANGLES).enumerate() {
+            for (to, corner) in block.corners.iter_mut().zip(corners) {
+                for axis in 0..3 {
+                    to[axis][place] = corner[axis];
+                }
+            }
+            block.ids[place] = id;
+        }
+        block
+    }
+
+    /// The corners of a triangle.
+    #[must_use]
+    pub fn corners_of(&self, place: usize) -> [Vec3; 3] {
+        self.corners.map(|c| Vec3::from_array(c.map(|axis| axis[place])))
     }
 }
 
@@ -46,27 +68,59 @@ impl<S: Simd> Crossing<S> {
     }
 }
 
-/// Where the rays cross the triangle, from either side; None when no lane does.
+/// Rays sheared onto an axis. Components stand in the order of that axis: the two across it first.
+#[derive(Clone, Copy)]
+pub struct Sheared<S: Simd> {
+    /// Origins.
+    pub o: [S::F; 3],
+    /// d\[0\]/d\[2\], d\[1\]/d\[2\], 1/d\[2\]
+    pub slope: [S::F; 3],
+}
+
+/// The order of the components for an axis.
+pub const ORDER: [[usize; 3]; 3] = [[1, 2, 0], [2, 0, 1], [0, 1, 2]];
+
+/// The axis along which a ray goes fastest; of equal ones the first.
 #[inline(always)]
-pub fn crossing<S: Simd>(s: S, p: &Packet<S>, triangle: &Triangle, mask: S::M) -> Option<Crossing<S>> {
-    let (e1, e2) = (splat3(s, triangle.e1), splat3(s, triangle.e2));
-    let (zero, one) = (s.splat(0.0), s.splat(1.0));
-    // [t u v] = 1/(P·E1) · [Q·E2  P·T  Q·D],  P = D × E2,  T = O − A,  Q = T × E1
-    let pv = cross(s, &p.d, &e2);
-    let inv_det = s.div(one, dot(s, &pv, &e1));
-    let tv = sub3(s, &p.o, &splat3(s, triangle.a));
-    let u = s.mul(dot(s, &pv, &tv), inv_det);
-    // A ray along the triangle's plane divides by 0; comparisons with what comes of it are false.
-    let mask = s.and(mask, s.and(s.le(zero, u), s.le(u, one)));
+pub fn fastest_axis([x, y, z]: [f32; 3]) -> usize {
+    let (x, y, z) = (x.abs(), y.abs(), z.abs());
+    if y <= x && z <= x {
+        0
+    } else if z <= y {
+        1
+    } else {
+        2
+    }
+}
+
+/// Where the rays cross the triangle, from either side; None when no lane does. The corners' components stand in the
+/// order of the shear. A ray in the triangle's plane divides 0 by 0: comparisons with what comes of it are false.
+#[inline(always)]
+pub fn crossing<S: Simd>(
+    s: S,
+    ray: &Sheared<S>,
+    [a, b, c]: &[[S::F; 3]; 3],
+    mask: S::M,
+) -> Option<Crossing<S>> {
+    let (a, b, c) = (sub3(s, a, &ray.o), sub3(s, b, &ray.o), sub3(s, c, &ray.o));
+    let ax = s.sub(a[0], s.mul(ray.slope[0], a[2]));
+    let ay = s.sub(a[1], s.mul(ray.slope[1], a[2]));
+    let bx = s.sub(b[0], s.mul(ray.slope[0], b[2]));
+    let by = s.sub(b[1], s.mul(ray.slope[1], b[2]));
+    let cx = s.sub(c[0], s.mul(ray.slope[0], c[2]));
+    let cy = s.sub(c[1], s.mul(ray.slope[1], c[2]));
+    // Twice the areas of the triangles between the ray and each edge.
+    let u = s.sub(s.mul(cx, by), s.mul(cy, bx));
+    let v = s.sub(s.mul(ax, cy), s.mul(ay, cx));
+    let w = s.sub(s.mul(bx, ay), s.mul(by, ax));
+    let zero = s.splat(0.0);
+    let inside = s.or(s.le(zero, s.min(s.min(u, v), w)), s.le(s.max(s.max(u, v), w), zero));
+    let mask = s.and(mask, inside);
     if !s.any(mask) {
         return None;
     }
-    let qv = cross(s, &tv, &e1);
-    let v = s.mul(dot(s, &qv, &p.d), inv_det);
-    let mask = s.and(mask, s.and(s.le(zero, v), s.le(s.add(u, v), one)));
-    if !s.any(mask) {
-        return None;
-    }
-    let t = s.mul(dot(s, &qv, &e2), inv_det);
-    Some(Crossing { mask, t, u, v })
+    let inverse = s.div(s.splat(1.0), s.add(s.add(u, v), w));
+    let depth = s.add(s.add(s.mul(u, a[2]), s.mul(v, b[2])), s.mul(w, c[2]));
+    let t = s.mul(s.mul(depth, ray.slope[2]), inverse);
+    Some(Crossing { mask, t, u: s.mul(v, inverse), v: s.mul(w, inverse) })
 }

@@ -1,0 +1,64 @@
+//! Meshes made ready for rays.
+
+use super::primitives::triangle::TriangleBlock;
+use super::tree::{Item, Tree};
+use super::{LEAVES, leaf};
+use rayon::prelude::*;
+use vitrine_math::{Bounds3, Vec3};
+
+/// A mesh ready for rays, in its own space.
+#[derive(Clone, Debug)]
+pub struct MeshAccel {
+    pub(super) tree: Tree,
+    pub(super) blocks: Vec<TriangleBlock>,
+    /// Which material slot each triangle has, by its index in the model; empty when all have slot 0.
+    slots: Vec<u16>,
+    bounds: Bounds3,
+}
+
+impl MeshAccel {
+    /// Builds the tree over triangles, given by the places of their corners among the positions, on all threads of the machine.
+    ///
+    /// # Panics
+    /// When a triangle has a corner that is not there.
+    #[must_use]
+    pub fn new(positions: &[Vec3], triangles: &[[u32; 3]], slots: Vec<u16>) -> Self {
+        let corners = |t: u32| triangles[t as usize].map(|corner| positions[corner as usize]);
+        let items: Vec<_> = (0..triangles.len() as u32)
+            .into_par_iter()
+            .map(|t| Item::new(&Bounds3::around(corners(t)), t, leaf::TRIANGLE))
+            .collect();
+        let mut contents: Vec<([u32; 8], u8)> = Vec::with_capacity(triangles.len() / 6);
+        let tree = Tree::build(items, LEAVES, &mut |_, items| {
+            let mut ids = [0; 8];
+            ids.iter_mut().zip(items).for_each(|(id, item)| *id = item.index());
+            contents.push((ids, items.len() as u8));
+            contents.len() as u32 - 1
+        });
+        let block = |(ids, count): &([u32; 8], u8)| {
+            TriangleBlock::new(ids[..usize::from(*count)].iter().map(|&id| (corners(id), id)))
+        };
+        let blocks = contents.par_iter().map(block).collect();
+        let bounds = Bounds3::around(positions.iter().copied());
+        Self { tree, blocks, slots, bounds }
+    }
+
+    /// The box around all positions, in the mesh's own space.
+    #[must_use]
+    pub const fn bounds(&self) -> Bounds3 {
+        self.bounds
+    }
+
+    /// The material slot of a triangle, by its place in the model.
+    #[inline(always)]
+    #[must_use]
+    pub fn slot(&self, triangle: u32) -> u32 {
+        self.slots.get(triangle as usize).map_or(0, |&s| u32::from(s))
+    }
+
+    /// Bytes of the arrays.
+    #[must_use]
+    pub fn memory(&self) -> usize {
+        self.tree.memory() + size_of_val(&*self.blocks) + size_of_val(&*self.slots)
+    }
+}
