@@ -77,7 +77,8 @@ impl<S: Simd> Packet<S> {
         let slope = self.inv[z];
         Sheared {
             o: [self.o[x], self.o[y], self.o[z]],
-            slope: [s.mul(self.d[x], slope), s.mul(self.d[y], slope), slope],
+            d: [self.d[x], self.d[y], self.d[z]],
+            slope: [s.mul(self.d[x], slope), s.mul(self.d[y], slope)],
         }
     }
 }
@@ -124,6 +125,16 @@ pub fn load3<S: Simd>(s: S, from: &[Column; 3], start: usize) -> [S::F; 3] {
 #[inline(always)]
 pub fn dot<S: Simd>(s: S, a: &[S::F; 3], b: &[S::F; 3]) -> S::F {
     s.add(s.add(s.mul(a[0], b[0]), s.mul(a[1], b[1])), s.mul(a[2], b[2]))
+}
+
+/// a × b in each lane.
+#[inline(always)]
+pub fn cross<S: Simd>(s: S, a: &[S::F; 3], b: &[S::F; 3]) -> [S::F; 3] {
+    [
+        s.sub(s.mul(a[1], b[2]), s.mul(a[2], b[1])),
+        s.sub(s.mul(a[2], b[0]), s.mul(a[0], b[2])),
+        s.sub(s.mul(a[0], b[1]), s.mul(a[1], b[0])),
+    ]
 }
 
 /// The same vector in each lane.

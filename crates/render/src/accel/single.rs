@@ -101,8 +101,8 @@ impl<E: Simd> Rays for One<E> {
     ) {
         let e = self.0;
         let axis = fastest_axis(ray.d);
-        let Sheared { o, slope } = ray.sheared(self, axis);
-        let ray = Sheared { o: splat3(e, o), slope: splat3(e, slope) };
+        let Sheared { o, d, slope: [x, y] } = ray.sheared(self, axis);
+        let ray = Sheared { o: splat3(e, o), d: splat3(e, d), slope: [e.splat(x), e.splat(y)] };
         let [a, b, c] = &leaf.block.corners;
         let corners = [corner(e, a, axis), corner(e, b, axis), corner(e, c, axis)];
         let Some(hit) = crossing(e, &ray, &corners, e.le(e.splat(0.0), e.splat(0.0))) else { return };

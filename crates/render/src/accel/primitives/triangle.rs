@@ -5,7 +5,7 @@
 //! an edge and has the same digits for both triangles at that edge, so a ray passes between no two of them. (Products
 //! are not fused with differences: that would give the two triangles different digits.)
 
-use crate::accel::packet::sub3;
+use crate::accel::packet::{cross, dot, sub3};
 use crate::accel::simd::Simd;
 use vitrine_math::Vec3;
 
@@ -73,8 +73,10 @@ impl<S: Simd> Crossing<S> {
 pub struct Sheared<S: Simd> {
     /// Origins.
     pub o: [S::F; 3],
-    /// d\[0\]/d\[2\], d\[1\]/d\[2\], 1/d\[2\]
-    pub slope: [S::F; 3],
+    /// Directions.
+    pub d: [S::F; 3],
+    /// d\[0\]/d\[2\], d\[1\]/d\[2\]
+    pub slope: [S::F; 2],
 }
 
 /// The order of the components for an axis.
@@ -99,10 +101,12 @@ pub fn fastest_axis([x, y, z]: [f32; 3]) -> usize {
 pub fn crossing<S: Simd>(
     s: S,
     ray: &Sheared<S>,
-    [a, b, c]: &[[S::F; 3]; 3],
+    corners: &[[S::F; 3]; 3],
     mask: S::M,
 ) -> Option<Crossing<S>> {
-    let (a, b, c) = (sub3(s, a, &ray.o), sub3(s, b, &ray.o), sub3(s, c, &ray.o));
+    let a = sub3(s, &corners[0], &ray.o);
+    let b = sub3(s, &corners[1], &ray.o);
+    let c = sub3(s, &corners[2], &ray.o);
     let ax = s.sub(a[0], s.mul(ray.slope[0], a[2]));
     let ay = s.sub(a[1], s.mul(ray.slope[1], a[2]));
     let bx = s.sub(b[0], s.mul(ray.slope[0], b[2]));
@@ -120,7 +124,9 @@ pub fn crossing<S: Simd>(
         return None;
     }
     let inverse = s.div(s.splat(1.0), s.add(s.add(u, v), w));
-    let depth = s.add(s.add(s.mul(u, a[2]), s.mul(v, b[2])), s.mul(w, c[2]));
-    let t = s.mul(s.mul(depth, ray.slope[2]), inverse);
+    // The distance to the triangle's plane, ⟨n, a⟩/⟨n, d⟩: of a large triangle near the ray's start it has more digits than
+    // the corners' depths, mixed, would give.
+    let n = cross(s, &sub3(s, &corners[1], &corners[0]), &sub3(s, &corners[2], &corners[0]));
+    let t = s.div(dot(s, &n, &a), dot(s, &n, &ray.d));
     Some(Crossing { mask, t, u: s.mul(v, inverse), v: s.mul(w, inverse) })
 }
