@@ -8,7 +8,6 @@ use std::time::Duration;
 use vitrine_math::{Affine3A, Bounds3, Ray, Vec3};
 use vitrine_render::accel::primitives::plane::Plane;
 use vitrine_render::accel::primitives::sphere::Sphere;
-use vitrine_render::accel::primitives::triangle::Triangle;
 use vitrine_render::accel::simd::Instructions;
 use vitrine_render::accel::{
     Accel, Hit, HitStream, Instance, MaterialSlots, MeshAccel, Primitives, RayStream,
@@ -49,7 +48,7 @@ impl Kernel {
         let mut build_time = Duration::ZERO;
         for (model, mesh) in scene.models.iter().enumerate() {
             let primitive = add(Part::Triangle { model, triangle: 0 });
-            let (built, time) = cpu_time_of(|| build_mesh(mesh));
+            let (built, time) = cpu_time_of(|| MeshAccel::new(&mesh.positions, &mesh.triangles, Vec::new()));
             build_time += time;
             memory += built.memory();
             let instance = Instance { mesh_from_world: Affine3A::IDENTITY, mesh: Arc::new(built), primitive };
@@ -92,8 +91,8 @@ impl Kernel {
     /// The kernel for one ray at a time, as a contender.
     #[must_use]
     pub fn single(&self, query: Query) -> impl Contender {
-        let packets = Packets::new(&self.accel, query);
-        Single { packets, rays: Vec::new(), count: 0, distances: Vec::new() }
+        let (rays, hits, answers) = (Vec::new(), Vec::new(), Vec::new());
+        Single { accel: &self.accel, query, rays, hits, answers }
     }
 
     /// The kernel for many rays at a time, as a contender.
@@ -101,12 +100,6 @@ impl Kernel {
     pub fn packets(&self, query: Query) -> impl Contender {
         Packets::new(&self.accel, query)
     }
-}
-
-fn build_mesh(mesh: &crate::Model) -> MeshAccel {
-    let triangles: Vec<_> =
-        (0..mesh.triangles.len()).map(|i| Triangle::new(mesh.corners(i), i as u32)).collect();
-    MeshAccel::new(&triangles, |t| Bounds3::around(mesh.corners(t.id as usize)), Vec::new())
 }
 
 /// The vector instructions that rays are traced with on this machine.
@@ -126,46 +119,45 @@ struct Packets<'a> {
     query: Query,
     rays: RayStream,
     hits: HitStream,
-    passes: Vec<f32>,
+    answers: Vec<bool>,
 }
 
 impl<'a> Packets<'a> {
     fn new(accel: &'a Accel, query: Query) -> Self {
-        let (rays, hits, passes) = (RayStream::default(), HitStream::default(), Vec::new());
-        Self { accel, query, rays, hits, passes }
+        let (rays, hits, answers) = (RayStream::default(), HitStream::default(), Vec::new());
+        Self { accel, query, rays, hits, answers }
     }
 }
 
-/// Packets with one ray each.
 struct Single<'a> {
-    packets: Packets<'a>,
-    rays: Vec<RayStream>,
-    count: usize,
-    distances: Vec<f32>,
+    accel: &'a Accel,
+    query: Query,
+    rays: Vec<Ray>,
+    hits: Vec<Option<Hit>>,
+    answers: Vec<bool>,
 }
 
 impl Contender for Single<'_> {
     fn load(&mut self, rays: &[Ray]) {
-        self.count = rays.len();
-        self.rays.resize_with(self.rays.len().max(rays.len()), RayStream::default);
-        for (stream, ray) in self.rays.iter_mut().zip(rays) {
-            stream.clear();
-            stream.push(ray);
-        }
+        self.rays.clear();
+        self.rays.extend_from_slice(rays);
+        self.hits.resize(rays.len(), None);
+        self.answers.resize(rays.len(), false);
     }
 
     fn cast(&mut self) {
-        self.distances.clear();
-        for rays in &mut self.rays[..self.count] {
-            std::mem::swap(&mut self.packets.rays, rays);
-            self.packets.cast();
-            self.packets.read(&mut self.distances);
-            std::mem::swap(&mut self.packets.rays, rays);
+        match self.query {
+            Query::Closest => self.accel.closest_each(&self.rays, &mut self.hits),
+            Query::Occlusion => self.accel.occluded_each(&self.rays, &mut self.answers),
         }
     }
 
     fn read(&self, distances: &mut Vec<f32>) {
-        distances.extend_from_slice(&self.distances);
+        distances.extend((0..self.rays.len()).map(|i| match self.query {
+            Query::Closest => self.hits[i].map_or(NOTHING, |hit| hit.t),
+            Query::Occlusion if self.answers[i] => 0.0,
+            Query::Occlusion => NOTHING,
+        }));
     }
 }
 
@@ -178,15 +170,15 @@ impl Contender for Packets<'_> {
     fn cast(&mut self) {
         match self.query {
             Query::Closest => self.accel.closest(&self.rays, &mut self.hits),
-            Query::Occlusion => self.accel.transmittance(&self.rays, &mut self.passes),
+            Query::Occlusion => self.accel.occluded(&self.rays, &mut self.answers),
         }
     }
 
     fn read(&self, distances: &mut Vec<f32>) {
         distances.extend((0..self.rays.len()).map(|i| match self.query {
             Query::Closest => self.hits.get(i).map_or(NOTHING, |hit| hit.t),
-            Query::Occlusion if self.passes[i] > 0.0 => NOTHING,
-            Query::Occlusion => 0.0,
+            Query::Occlusion if self.answers[i] => 0.0,
+            Query::Occlusion => NOTHING,
         }));
     }
 }

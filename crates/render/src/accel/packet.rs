@@ -46,7 +46,7 @@ impl<S: Simd> Packet<S> {
     ///
     /// Rounding keeps order, so a ray never enters a box before the boxes around it.
     #[inline(always)]
-    pub fn meets_box(&self, s: S, node: &Node, place: usize, t_min: S::F, t_max: S::F) -> Entry<S> {
+    pub fn meets_box(&self, s: S, node: &Node, place: usize, [t_min, t_max]: [S::F; 2]) -> Entry<S> {
         let mut near = s.splat(f32::NEG_INFINITY);
         let mut far = s.splat(f32::INFINITY);
         for k in 0..3 {

@@ -116,7 +116,7 @@ pub fn walk_together<S: Rays, L: Level<S>>(s: S, nodes: &[Node], packet: &Packet
             let Some(next) = stack.pop() else { return };
             let (from, place) = (&nodes[next.node as usize], next.place as usize);
             let receive = level.receive();
-            let mut entry = packet.meets_box(s, from, place, receive.t_min(s), receive.t_max(s));
+            let mut entry = packet.meets_box(s, from, place, [receive.t_min(s), receive.t_max(s)]);
             entry.mask = s.and(receive.active(s), entry.mask);
             let lanes = s.bits(entry.mask);
             if lanes == 0 {

@@ -33,8 +33,8 @@ pub trait Rays: Simd {
         let fastest = packet.fastest(self);
         for place in 0..leaf.count {
             let [a, b, c] = &leaf.block.corners;
-            for axis in 0..3 {
-                let mask = self.and(entry.mask, fastest[axis]);
+            for (axis, &fastest) in fastest.iter().enumerate() {
+                let mask = self.and(entry.mask, fastest);
                 if !self.any(mask) {
                     continue;
                 }

@@ -205,9 +205,9 @@ impl Bins {
         for item in run.items.iter() {
             let (span, weight) = (item.span(), leaves.weight(item.kind()));
             let at = places.bins(item.center());
-            for axis in 0..3 {
-                bins.spans[axis][at[axis]].join(&span);
-                bins.weights[axis][at[axis]] += weight;
+            for (axis, bin) in at.into_iter().enumerate() {
+                bins.spans[axis][bin].join(&span);
+                bins.weights[axis][bin] += weight;
             }
         }
         bins
