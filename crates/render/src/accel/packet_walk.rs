@@ -181,11 +181,15 @@ impl<S: Rays, L: Level<S>> Kernel for Alone<'_, S, L> {
         while lanes != 0 {
             let lane = lanes.trailing_zeros() as usize;
             lanes &= lanes - 1;
-            let at = |v: &[S::F; 3]| v.map(|v| s.lane(v, lane));
-            let ray = Packet::new(one, at(&packet.o), at(&packet.d));
+            let ray = Packet::new(one, lane3(s, &packet.o, lane), lane3(s, &packet.d, lane));
             let mut single = level.single(s, lane);
             walk_alone(one, nodes, &ray, &mut single, root);
             level.take_single(s, lane, &single);
         }
     }
+}
+
+#[inline(always)]
+fn lane3<S: Simd>(s: S, v: &[S::F; 3], lane: usize) -> [f32; 3] {
+    [s.lane(v[0], lane), s.lane(v[1], lane), s.lane(v[2], lane)]
 }
