@@ -28,7 +28,7 @@ use vitrine_measure::Scene;
 use vitrine_measure::race::{Contender, Query, cpu_time_of};
 
 /// How far the floor reaches in each direction, metres: Embree has no planes without end.
-const FLOOR_REACH: f32 = 1000.0;
+const FLOOR_REACH: f32 = 100_000.0;
 
 type Handle = *mut c_void;
 type MemoryMonitor = extern "C" fn(*mut c_void, isize, bool) -> bool;
