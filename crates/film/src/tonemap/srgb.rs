@@ -14,9 +14,14 @@ pub fn display_u8() -> impl Fn(f32) -> u8 {
     |v| steps.at(v)
 }
 
-/// Cells of equal width from 0 to 1, narrow enough that no more than one step begins in each: the curve is steepest at 0, where
-/// a step is 1/3295 wide.
-const CELLS: usize = 4096;
+/// The bits of a float that number its cell: the exponent and 7 of the mantissa's. So cells grow as the curve gets flat, and no
+/// more than one step begins in each.
+const SHIFT: u32 = 16;
+/// The first cell. All below it are 0 in 8 bits.
+const FIRST: u32 = 0.000_122_070_31_f32.to_bits() >> SHIFT;
+/// The last cell, which begins at 1.
+const LAST: u32 = 1.0_f32.to_bits() >> SHIFT;
+const CELLS: usize = (LAST - FIRST + 1) as usize;
 
 static STEPS: LazyLock<Steps> = LazyLock::new(Steps::new);
 
@@ -30,7 +35,7 @@ struct Steps {
 
 impl Steps {
     fn new() -> Self {
-        let start = std::array::from_fn(|i| rounded(i as f32 / CELLS as f32));
+        let start = std::array::from_fn(|i| rounded(f32::from_bits((FIRST + i as u32) << SHIFT)));
         let least = std::array::from_fn(|step| match step {
             0 => 0.0,
             256 => f32::NAN,
@@ -41,9 +46,10 @@ impl Steps {
 
     #[inline]
     fn at(&self, v: f32) -> u8 {
-        // NaN becomes 0 here, and any other number finds its cell.
-        let v = v.max(0.0);
-        let step = self.start[(v * CELLS as f32).min(CELLS as f32 - 1.0) as usize];
+        // NaN becomes 0 here, and any other number finds its cell: the bits of positive floats are ordered as they are.
+        let v = if v > 0.0 { v } else { 0.0 };
+        let cell = (v.to_bits() >> SHIFT).clamp(FIRST, LAST) - FIRST;
+        let step = self.start[cell as usize];
         step + u8::from(v >= self.least[usize::from(step) + 1])
     }
 }
@@ -74,7 +80,8 @@ mod tests {
             assert_eq!(display_u8(v), rounded(v), "{v}");
         }
         // Around the ends of every step and cell, where the table could be off by one.
-        let ends = STEPS.least[1..256].iter().copied().chain((1..CELLS).map(|i| i as f32 / CELLS as f32));
+        let cells = (FIRST..=LAST).map(|cell| f32::from_bits(cell << SHIFT));
+        let ends = STEPS.least[1..256].iter().copied().chain(cells);
         for end in ends {
             for bits in end.to_bits() - 20..end.to_bits() + 20 {
                 let v = f32::from_bits(bits);

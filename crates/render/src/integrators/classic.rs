@@ -9,10 +9,11 @@
 //! its pixel, and what they meet gives the next wave. So rays go in packets, and nothing depends on threads.
 
 use super::TileTask;
-use super::light::{LightQueue, Lit, Shadows, WaveLight};
+use super::light::{Lamps, Lit, Shadows};
 use super::tile::{Sums, TileOrder};
 use super::wave::{ErrandBlock, RayLanes, Wave, lanes_below};
-use crate::accel::packet::{load3, select3, splat3};
+use crate::accel::packet::{along3, load3, select3, splat3};
+use crate::accel::rays::Rays;
 use crate::accel::simd::{Kernel, Simd};
 use crate::accel::{BLOCK, HitBlock, HitStream, NOTHING, RayBlock};
 use crate::compile::CompiledScene;
@@ -45,7 +46,6 @@ pub struct Waves {
     onward: Wave,
     mirrored: Wave,
     hits: HitStream,
-    lights: LightQueue,
     sums: Sums,
     picture: Vec<Rgb>,
 }
@@ -78,19 +78,16 @@ impl Waves {
 
     /// Traces a wave; gives the number of rays.
     fn trace(&mut self, task: &TileTask, sample: u32, reach: Reach) -> u64 {
-        let scene = task.scene;
         self.now.seal();
-        scene.accel.closest(self.now.rays(), &mut self.hits);
-        self.lights.clear();
-        let Self { now, onward, mirrored, hits, lights, sums, .. } = self;
-        let (now, hits) = (&*now, &*hits);
-        scene.accel.instructions.run(Spread { scene, reach, now, hits, onward, mirrored, lights, sums });
+        task.scene.accel.closest(self.now.rays(), &mut self.hits);
         let shadows = match reach {
             Reach::CameraOnly => Shadows::None,
             Reach::Recursive => Shadows::Cast,
         };
-        let wave = WaveLight { task, sample, shadows, order: &self.order };
-        now.rays().len() as u64 + lights.shade(&wave, sums)
+        let Self { order, now, onward, mirrored, hits, sums, .. } = self;
+        let lamps = Lamps { task, sample, shadows, order };
+        let spread = Spread { scene: task.scene, reach, now, hits, lamps, onward, mirrored, sums };
+        now.rays().len() as u64 + task.scene.accel.instructions.run(spread)
     }
 }
 
@@ -142,24 +139,27 @@ struct Spread<'a> {
     reach: Reach,
     now: &'a Wave,
     hits: &'a HitStream,
+    lamps: Lamps<'a>,
     onward: &'a mut Wave,
     mirrored: &'a mut Wave,
-    lights: &'a mut LightQueue,
     sums: &'a mut Sums,
 }
 
 impl Kernel for Spread<'_> {
-    type Output = ();
+    /// The number of shadow rays.
+    type Output = u64;
 
     #[inline(always)]
-    fn run<S: Simd>(mut self, s: S) {
+    fn run<S: Rays>(mut self, s: S) -> u64 {
+        let mut shadow_rays = 0;
         let (now, all) = (self.now, self.hits);
         for (index, (rays, errands)) in now.rays().blocks().iter().zip(now.errands()).enumerate() {
             let hits = all.block(index);
             for start in (0..BLOCK).step_by(S::LANES) {
-                self.spread(s, &Place { rays, hits, errands, start });
+                self.spread(s, &Place { rays, hits, errands, start }, &mut shadow_rays);
             }
         }
+        shadow_rays
     }
 }
 
@@ -186,51 +186,69 @@ impl<S: Simd> Share<S> {
     }
 }
 
+/// What becomes of the weights of rays at surfaces.
+#[derive(Clone, Copy)]
+struct Shares<S: Simd> {
+    /// For the surface's own light.
+    own: Share<S>,
+    /// For its mirror image.
+    reflected: Share<S>,
+    /// For what is behind.
+    through: Share<S>,
+}
+
 impl Spread<'_> {
     #[inline(always)]
-    fn spread<S: Simd>(&mut self, s: S, place: &Place) {
+    fn spread<S: Rays>(&mut self, s: S, place: &Place, shadow_rays: &mut u64) {
         let &Place { rays, hits, errands, start } = place;
         let zero = s.splat(0.0);
         let alive = s.lt(zero, s.load(&rays.t_max[start..]));
         let something = s.lt(s.load(&hits.primitive[start..]), s.splat(f32::from_bits(NOTHING)));
         let hit = s.and(alive, something);
         let weight = s.load(&errands.weight[start..]);
-        self.escape(s, s.and_not(alive, hit), place, weight);
-        if !s.any(hit) {
-            return;
+        // The weight of the background.
+        let mut beyond = s.select(something, zero, weight);
+        let mut light = [zero; 3];
+        if s.any(hit) {
+            let seen = self.scene.seen(s, hit, &HitLanes { rays, hits, start });
+            let shares = self.shares(s, hit, place, &seen);
+            if s.any(shares.reflected.mask) {
+                self.mirror(s, shares.reflected, place, &seen);
+            }
+            if s.any(shares.through.mask) {
+                beyond = s.add(beyond, self.go_on(s, shares.through, place, &seen));
+            }
+            let Share { mask, weight } = shares.own;
+            if s.any(mask) {
+                let lit = Lit::new(s, mask, &seen, weight);
+                let own = self.lamps.light(s, &lit, &errands.pixel[start..], shadow_rays);
+                light = select3(s, mask, &own, &light);
+            }
         }
-        let seen = self.scene.seen(s, hit, &HitLanes { rays, hits, start });
-        let reflections = s.load(&errands.reflections[start..]);
+        // All that a lane has for its pixel at once, so that the order of sums does not depend on the number of lanes.
+        let background = splat3(s, self.scene.background.to_array());
+        let light = along3(s, &light, &background, beyond);
+        self.sums.add(s, alive, &errands.pixel[start..], &light);
+    }
+
+    /// Shares the weights of rays.
+    #[inline(always)]
+    fn shares<S: Simd>(&self, s: S, hit: S::M, place: &Place, seen: &Seen<S>) -> Shares<S> {
+        let (zero, one) = (s.splat(0.0), s.splat(1.0));
         let (transparency, mirror) = match self.reach {
             Reach::CameraOnly => (zero, zero),
             // At the end of the recursion a mirror shows its own colour.
             Reach::Recursive => {
-                let left = s.lt(zero, reflections);
+                let left = s.lt(zero, s.load(&place.errands.reflections[place.start..]));
                 (seen.look.transparency, s.select(left, seen.look.reflectivity, zero))
             }
         };
-        let one = s.splat(1.0);
+        let weight = s.load(&place.errands.weight[place.start..]);
         let opaque = s.mul(weight, s.sub(one, transparency));
-        let own = Share::new(s, hit, s.mul(opaque, s.sub(one, mirror)));
-        let pixel = s.load(&errands.pixel[start..]);
-        self.lights.push(s, own.mask, &Lit::new(s, &seen, pixel, own.weight));
-        let reflected = Share::new(s, hit, s.mul(opaque, mirror));
-        if s.any(reflected.mask) {
-            self.mirror(s, reflected, place, &seen);
-        }
-        let through = Share::new(s, hit, s.mul(weight, transparency));
-        if s.any(through.mask) {
-            self.go_on(s, through, place, &seen);
-        }
-    }
-
-    /// The light of the background.
-    #[inline(always)]
-    fn escape<S: Simd>(&mut self, s: S, mask: S::M, place: &Place, weight: S::F) {
-        if s.any(mask) {
-            let [r, g, b] = splat3(s, self.scene.background.to_array());
-            let light = [s.mul(r, weight), s.mul(g, weight), s.mul(b, weight)];
-            self.sums.add(s, mask, &place.errands.pixel[place.start..], &light);
+        Shares {
+            own: Share::new(s, hit, s.mul(opaque, s.sub(one, mirror))),
+            reflected: Share::new(s, hit, s.mul(opaque, mirror)),
+            through: Share::new(s, hit, s.mul(weight, transparency)),
         }
     }
 
@@ -252,14 +270,13 @@ impl Spread<'_> {
         self.mirrored.push(s, share.mask, &lanes);
     }
 
-    /// Behind what is transparent: straight on, or bent.
+    /// Behind what is transparent: straight on, or bent. Gives the weights of those rays that go no farther.
     #[inline(always)]
-    fn go_on<S: Simd>(&mut self, s: S, share: Share<S>, place: &Place, seen: &Seen<S>) {
+    fn go_on<S: Simd>(&mut self, s: S, share: Share<S>, place: &Place, seen: &Seen<S>) -> S::F {
         let &Place { rays, hits, errands, start } = place;
         let crossings = s.load(&errands.crossings[start..]);
         let Share { mask, weight } = share;
         let tired = s.and(mask, s.le(s.splat(MAX_CROSSINGS), crossings));
-        self.escape(s, tired, place, weight);
         let mask = s.and_not(mask, tired);
         let mut lanes = RayLanes {
             origin: load3(s, &rays.origin, start),
@@ -286,5 +303,6 @@ impl Spread<'_> {
             lanes.crossings = s.select(straight, lanes.crossings, s.add(crossings, s.splat(BEND)));
         }
         self.onward.push(s, mask, &lanes);
+        s.select(tired, weight, s.splat(0.0))
     }
 }

@@ -1,131 +1,19 @@
-//! The light of lamps on the surfaces of a wave, with shadows: hard ones by one ray, soft ones by rays to points of the lamp.
-//!
-//! Surfaces wait in blocks, a surface a lane. Their lighting, their shadow rays and the sums are worked out in lanes in one
-//! go, so that no shadow ray is ever stored.
+//! The light of lamps on surfaces in lanes, with shadows: hard ones by one ray, soft ones by rays to points of the lamp. Shadow
+//! rays are made, traced and summed in one go and never stored.
 
 use super::TileTask;
 use super::soft::SoftLight;
-use super::tile::{Sums, TileOrder};
-use super::wave::{Columns, Joining, lanes_below};
-use crate::accel::packet::{dot, load3, scale3, splat3, sub3};
+use super::tile::TileOrder;
+use crate::accel::Packet;
+use crate::accel::packet::{dot, scale3, splat3, sub3};
 use crate::accel::rays::Rays;
-use crate::accel::simd::{Kernel, Simd};
-use crate::accel::{BLOCK, Column, Packet};
+use crate::accel::simd::Simd;
 use crate::compile::CompiledLight;
 use crate::surface::Seen;
 use vitrine_scene::lights::Emission;
 
-/// Sixteen surfaces that wait for light.
-#[derive(Clone, Copy, Debug)]
-#[repr(C, align(64))]
-pub struct LitBlock {
-    /// Where shadow rays start.
-    pub origin: [Column; 3],
-    /// The unit normals of the forms, on the viewer's side.
-    pub n: [Column; 3],
-    /// The unit normals for shading.
-    pub ns: [Column; 3],
-    /// The unit directions to the viewer.
-    pub wo: [Column; 3],
-    pub color: [Column; 3],
-    /// k_d and k_s, each times the weight of the surface's own light in its pixel; 0 in places without a surface.
-    pub diffuse: Column,
-    pub specular: Column,
-    pub shininess: Column,
-    /// The weight of the surface's own light in its pixel.
-    pub weight: Column,
-    /// The pixel, by its place in the tile's order.
-    pub pixel: Column,
-}
-
-impl LitBlock {
-    const DARK: Self = {
-        let zero = [0.0; BLOCK];
-        let zero3 = [zero; 3];
-        Self {
-            origin: zero3,
-            n: zero3,
-            ns: zero3,
-            wo: zero3,
-            color: zero3,
-            diffuse: zero,
-            specular: zero,
-            shininess: zero,
-            weight: zero,
-            pixel: zero,
-        }
-    };
-}
-
-impl Columns<20> for LitBlock {
-    #[inline(always)]
-    fn columns(&mut self) -> [&mut Column; 20] {
-        let ([ox, oy, oz], [nx, ny, nz]) = (&mut self.origin, &mut self.n);
-        let ([sx, sy, sz], [wx, wy, wz]) = (&mut self.ns, &mut self.wo);
-        let ([r, g, b], d, s) = (&mut self.color, &mut self.diffuse, &mut self.specular);
-        let (shininess, weight, pixel) = (&mut self.shininess, &mut self.weight, &mut self.pixel);
-        [ox, oy, oz, nx, ny, nz, sx, sy, sz, wx, wy, wz, r, g, b, d, s, shininess, weight, pixel]
-    }
-}
-
-/// Surfaces that wait for light, in lanes: the columns of a [`LitBlock`].
-#[derive(Clone, Copy)]
-pub struct Lit<S: Simd>([S::F; 20]);
-
-impl<S: Simd> Lit<S> {
-    /// What is seen in pixels, its own light with those weights.
-    #[inline(always)]
-    pub fn new(s: S, seen: &Seen<S>, pixel: S::F, weight: S::F) -> Self {
-        let Seen { points, look } = seen;
-        let ([ox, oy, oz], [nx, ny, nz]) = (points.origin(s), points.n);
-        let ([sx, sy, sz], [wx, wy, wz], [r, g, b]) = (points.ns, points.wo, look.color);
-        let (d, k) = (s.mul(look.diffuse, weight), s.mul(look.specular, weight));
-        Self([ox, oy, oz, nx, ny, nz, sx, sy, sz, wx, wy, wz, r, g, b, d, k, look.shininess, weight, pixel])
-    }
-}
-
-/// The surfaces of a wave that wait for light.
-#[derive(Debug, Default)]
-pub struct LightQueue {
-    blocks: Vec<LitBlock>,
-    len: usize,
-}
-
-impl LightQueue {
-    /// Takes all surfaces out.
-    pub fn clear(&mut self) {
-        self.len = 0;
-    }
-
-    /// Adds the chosen lanes.
-    #[inline(always)]
-    pub fn push<S: Simd>(&mut self, s: S, chosen: S::M, lit: &Lit<S>) {
-        let joining = Joining::new(s, chosen, self.len);
-        if joining.end() == self.len {
-            return;
-        }
-        self.len = joining.end();
-        let blocks = self.len.div_ceil(BLOCK);
-        if self.blocks.len() < blocks {
-            self.blocks.resize(blocks, LitBlock::DARK);
-        }
-        joining.write(s, &lit.0, &mut self.blocks);
-    }
-
-    /// Adds the light of every lamp to the pixels; gives the number of shadow rays.
-    pub fn shade(&mut self, wave: &WaveLight, sums: &mut Sums) -> u64 {
-        if self.len == 0 {
-            return 0;
-        }
-        let blocks = &mut self.blocks[..self.len.div_ceil(BLOCK)];
-        if let Some(last) = blocks.last_mut() {
-            let used = (self.len - 1) % BLOCK + 1;
-            last.diffuse[used..].fill(0.0);
-            last.specular[used..].fill(0.0);
-        }
-        wave.task.scene.accel.instructions.run(Lighting { wave, blocks, len: self.len, sums })
-    }
-}
+/// A highlight below e to minus this, 4e-9 of its middle, is none.
+const FADED: f32 = 19.4;
 
 /// Whether things stand in the light of others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -136,8 +24,8 @@ pub enum Shadows {
     None,
 }
 
-/// A wave that is to be lit.
-pub struct WaveLight<'a> {
+/// The lamps that shine on a wave.
+pub struct Lamps<'a> {
     pub task: &'a TileTask<'a>,
     /// Which sample of the pixels.
     pub sample: u32,
@@ -146,62 +34,38 @@ pub struct WaveLight<'a> {
     pub order: &'a TileOrder,
 }
 
-/// Surfaces on the way into the light.
-struct Lighting<'a> {
-    wave: &'a WaveLight<'a>,
-    blocks: &'a [LitBlock],
-    len: usize,
-    sums: &'a mut Sums,
-}
-
-impl Kernel for Lighting<'_> {
-    type Output = u64;
-
+impl Lamps<'_> {
+    /// The light that surfaces send to their pixels, given lane by lane; of lanes beyond the mask it means nothing. Counts shadow
+    /// rays.
     #[inline(always)]
-    fn run<S: Rays>(self, s: S) -> u64 {
-        let scene = self.wave.task.scene;
+    pub fn light<S: Rays>(&self, s: S, lit: &Lit<S>, pixels: &[f32], rays: &mut u64) -> [S::F; 3] {
+        let scene = self.task.scene;
         let ambient = splat3(s, scene.ambient.to_array());
-        let mut rays = 0;
-        for first in (0..self.len).step_by(S::LANES) {
-            let (block, start) = (&self.blocks[first / BLOCK], first % BLOCK);
-            let surface = SurfaceLanes::load(s, block, start);
-            let color = load3(s, &block.color, start);
-            let weight = s.load(&block.weight[start..]);
-            let mut sum = scale3(s, &mul3(s, &color, &ambient), weight);
-            for (index, light) in scene.lights.iter().enumerate() {
-                let (radiance, wave) = (light.radiance, self.wave);
-                let factors = match (light.emission, wave.shadows) {
-                    (Emission::Disc { position, radius }, Shadows::Cast) => {
-                        let light = SoftLight { wave, index: index as u32, disc: (position, radius) };
-                        light.shine(s, block, start, &mut rays)
-                    }
-                    _ => wave.shine(s, light, &surface, &mut rays),
-                };
-                if let Some([scattered, highlight]) = factors {
-                    // What is scattered takes the surface's colour, highlights do not.
-                    for (k, radiance) in radiance.to_array().into_iter().enumerate() {
-                        let seen = s.add(s.mul(color[k], scattered), highlight);
-                        sum[k] = s.add(sum[k], s.mul(seen, s.splat(radiance)));
-                    }
+        let mut sum = scale3(s, &mul3(s, &lit.color, &ambient), lit.weight);
+        for (index, light) in scene.lights.iter().enumerate() {
+            let factors = match (light.emission, self.shadows) {
+                (Emission::Disc { position, radius }, Shadows::Cast) => {
+                    let light = SoftLight { lamps: self, index: index as u32, disc: (position, radius) };
+                    Some(light.shine(s, lit, pixels, rays))
+                }
+                _ => self.shine(s, light, lit, rays),
+            };
+            if let Some([scattered, highlight]) = factors {
+                // What is scattered takes the surface's colour, highlights do not.
+                for (k, radiance) in light.radiance.to_array().into_iter().enumerate() {
+                    let seen = s.add(s.mul(lit.color[k], scattered), highlight);
+                    sum[k] = s.add(sum[k], s.mul(seen, s.splat(radiance)));
                 }
             }
-            self.sums.add(s, lanes_below(s, self.len - first), &block.pixel[start..], &sum);
         }
-        rays
+        sum
     }
-}
 
-impl WaveLight<'_> {
     /// The light of a lamp without size, or of one taken for its middle where shadows do not count: what is scattered and the
     /// highlight, or None when it shines on nothing.
     #[inline(always)]
-    fn shine<S: Rays>(
-        &self,
-        s: S,
-        light: &CompiledLight,
-        surface: &SurfaceLanes<S>,
-        rays: &mut u64,
-    ) -> Option<[S::F; 2]> {
+    fn shine<S: Rays>(&self, s: S, light: &CompiledLight, lit: &Lit<S>, rays: &mut u64) -> Option<[S::F; 2]> {
+        let surface = &lit.surface;
         let (wi, distance) = match light.emission {
             Emission::Direction { travels } => (splat3(s, (-travels).into()), s.splat(f32::INFINITY)),
             Emission::Point { position } | Emission::Disc { position, .. } => {
@@ -211,6 +75,7 @@ impl WaveLight<'_> {
             Emission::Everywhere => return None,
         };
         let (seen, scattered, highlight) = surface.phong(s, &wi);
+        let seen = s.and(lit.mask, seen);
         if !s.any(seen) {
             return None;
         }
@@ -229,47 +94,53 @@ impl WaveLight<'_> {
     }
 }
 
-/// Surfaces in lanes.
+/// Surfaces in lanes that light falls on.
+#[derive(Clone, Copy)]
+pub struct Lit<S: Simd> {
+    /// Which lanes.
+    pub mask: S::M,
+    pub surface: SurfaceLanes<S>,
+    pub color: [S::F; 3],
+    /// The weights of the surfaces' own light in their pixels.
+    pub weight: S::F,
+}
+
+impl<S: Simd> Lit<S> {
+    /// What is seen, in the lanes of the mask, its own light with those weights.
+    #[inline(always)]
+    pub fn new(s: S, mask: S::M, seen: &Seen<S>, weight: S::F) -> Self {
+        let Seen { points, look } = seen;
+        let surface = SurfaceLanes {
+            origin: points.origin(s),
+            n: points.n,
+            ns: points.ns,
+            wo: points.wo,
+            diffuse: s.mul(look.diffuse, weight),
+            specular: s.mul(look.specular, weight),
+            shininess: look.shininess,
+        };
+        Self { mask, surface, color: look.color, weight }
+    }
+}
+
+/// What Phong's formula needs to know of surfaces, in lanes.
 #[derive(Clone, Copy)]
 pub struct SurfaceLanes<S: Simd> {
+    /// Where shadow rays start.
     pub origin: [S::F; 3],
+    /// The unit normals of the forms, on the viewer's side.
     pub n: [S::F; 3],
+    /// The unit normals for shading.
     pub ns: [S::F; 3],
+    /// The unit directions to the viewer.
     pub wo: [S::F; 3],
+    /// k_d and k_s, each times the weight of the surface's own light in its pixel.
     pub diffuse: S::F,
     pub specular: S::F,
     pub shininess: S::F,
 }
 
 impl<S: Simd> SurfaceLanes<S> {
-    #[inline(always)]
-    fn load(s: S, block: &LitBlock, start: usize) -> Self {
-        Self {
-            origin: load3(s, &block.origin, start),
-            n: load3(s, &block.n, start),
-            ns: load3(s, &block.ns, start),
-            wo: load3(s, &block.wo, start),
-            diffuse: s.load(&block.diffuse[start..]),
-            specular: s.load(&block.specular[start..]),
-            shininess: s.load(&block.shininess[start..]),
-        }
-    }
-
-    /// One surface in all lanes.
-    #[inline(always)]
-    pub fn splat(s: S, block: &LitBlock, lane: usize) -> Self {
-        let at = |v: &[Column; 3]| [v[0][lane], v[1][lane], v[2][lane]];
-        Self {
-            origin: splat3(s, at(&block.origin)),
-            n: splat3(s, at(&block.n)),
-            ns: splat3(s, at(&block.ns)),
-            wo: splat3(s, at(&block.wo)),
-            diffuse: s.splat(block.diffuse[lane]),
-            specular: s.splat(block.specular[lane]),
-            shininess: s.splat(block.shininess[lane]),
-        }
-    }
-
     /// [`vitrine_optics::phong_light`] in lanes: where anything is lit at all, what is scattered, the highlight.
     #[inline(always)]
     pub fn phong(&self, s: S, wi: &[S::F; 3]) -> (S::M, S::F, S::F) {
@@ -281,7 +152,10 @@ impl<S: Simd> SurfaceLanes<S> {
         // ⟨R, V⟩ = 2⟨N, L⟩⟨N, V⟩ − ⟨L, V⟩
         let double = s.mul(s.add(cos_l, cos_l), dot(s, &self.ns, &self.wo));
         let cos_r = s.min(s.sub(double, dot(s, wi, &self.wo)), s.splat(1.0));
-        let shiny = s.and(front, s.and(s.lt(zero, cos_r), s.lt(zero, self.specular)));
+        // x^s ≤ e^(−s·(1 − x)): away from the highlight it is too small to count.
+        let exponent = s.mul(self.shininess, s.sub(s.splat(1.0), cos_r));
+        let near = s.and(s.lt(zero, cos_r), s.lt(exponent, s.splat(FADED)));
+        let shiny = s.and(front, s.and(near, s.lt(zero, self.specular)));
         let highlight = if s.any(shiny) {
             s.select(shiny, s.mul(self.specular, s.pow_unit(cos_r, self.shininess)), zero)
         } else {
@@ -308,11 +182,13 @@ fn mul3<S: Simd>(s: S, a: &[S::F; 3], b: &[S::F; 3]) -> [S::F; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::accel::simd::Instructions;
+    use crate::accel::simd::{Instructions, Kernel};
+    use crate::accel::{BLOCK, Column};
     use vitrine_math::{Rgb, Vec3, hash};
     use vitrine_optics::{PhongSurface, phong_light};
 
-    struct Phong<'a>(&'a LitBlock, Vec3);
+    /// Columns as [`SurfaceLanes`] has them, and the direction to the lamp.
+    struct Phong<'a>(&'a [Column; 9], Vec3);
 
     impl Kernel for Phong<'_> {
         type Output = (Column, Column);
@@ -322,7 +198,18 @@ mod tests {
             let (mut scattered, mut highlight) = ([0.0; BLOCK], [0.0; BLOCK]);
             for start in (0..BLOCK).step_by(S::LANES) {
                 let wi = splat3(s, self.1.into());
-                let (seen, d, h) = SurfaceLanes::load(s, self.0, start).phong(s, &wi);
+                let [nx, ny, nz, wx, wy, wz, diffuse, specular, shininess] = self.0;
+                let n = [s.load(&nx[start..]), s.load(&ny[start..]), s.load(&nz[start..])];
+                let surface = SurfaceLanes {
+                    origin: [s.splat(0.0); 3],
+                    n,
+                    ns: n,
+                    wo: [s.load(&wx[start..]), s.load(&wy[start..]), s.load(&wz[start..])],
+                    diffuse: s.load(&diffuse[start..]),
+                    specular: s.load(&specular[start..]),
+                    shininess: s.load(&shininess[start..]),
+                };
+                let (seen, d, h) = surface.phong(s, &wi);
                 s.store(s.select(seen, d, s.splat(0.0)), &mut scattered[start..]);
                 s.store(s.select(seen, h, s.splat(0.0)), &mut highlight[start..]);
             }
@@ -336,7 +223,7 @@ mod tests {
         let number = |i: u32| 2.0 * hash::unit(hash::mix(i)) - 1.0;
         let vector = |i: u32| Vec3::new(number(3 * i), number(3 * i + 1), number(3 * i + 2)).normalize();
         for round in 0..50 {
-            let mut block = LitBlock::DARK;
+            let mut columns = [[0.0; BLOCK]; 9];
             let mut all = Vec::new();
             for lane in 0..BLOCK {
                 let i = round * 100 + lane as u32;
@@ -348,16 +235,14 @@ mod tests {
                 };
                 let (n, wo) = (vector(2 * i), vector(2 * i + 1));
                 let wo = if wo.dot(n) < 0.0 { -wo } else { wo };
-                for k in 0..3 {
-                    (block.n[k][lane], block.ns[k][lane], block.wo[k][lane]) = (n[k], n[k], wo[k]);
-                }
-                (block.diffuse[lane], block.specular[lane]) = (phong.diffuse, phong.specular);
-                block.shininess[lane] = phong.shininess;
+                let numbers = [n.x, n.y, n.z, wo.x, wo.y, wo.z];
+                let numbers = numbers.into_iter().chain([phong.diffuse, phong.specular, phong.shininess]);
+                columns.iter_mut().zip(numbers).for_each(|(column, number)| column[lane] = number);
                 all.push((phong, n, wo));
             }
             let wi = vector(77_777 + round);
             for set in Instructions::available() {
-                let (scattered, highlight) = set.run(Phong(&block, wi));
+                let (scattered, highlight) = set.run(Phong(&columns, wi));
                 for (i, (phong, n, wo)) in all.iter().enumerate() {
                     let (d, h) = phong_light(phong, *n, wi, *wo);
                     assert!((scattered[i] - d).abs() < 1e-6, "{set:?}: {} against {d}", scattered[i]);

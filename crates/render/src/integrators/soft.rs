@@ -2,19 +2,20 @@
 //! (course work, section 2.6.1).
 
 use super::TileTask;
-use super::light::{LitBlock, SurfaceLanes, WaveLight, towards};
-use crate::accel::packet::sub3;
+use super::light::{Lamps, Lit, SurfaceLanes, towards};
+use crate::accel::packet::{splat3, store3, sub3};
 use crate::accel::rays::Rays;
 use crate::accel::{BLOCK, Column, Packet};
 use crate::samplers::SquareSampler;
+use crate::surface::lanes_of;
 use vitrine_math::{Vec3, warp};
 
 /// Points of a lamp that are tried for one surface before its quality is looked at: whole packets, and stratified 4 × 4.
 const ROUND: u32 = BLOCK as u32;
 
-/// A disc lamp that shines on a wave.
+/// A disc lamp.
 pub struct SoftLight<'a> {
-    pub wave: &'a WaveLight<'a>,
+    pub lamps: &'a Lamps<'a>,
     /// Which of the scene's lights.
     pub index: u32,
     /// The disc's middle and radius.
@@ -22,23 +23,37 @@ pub struct SoftLight<'a> {
 }
 
 impl SoftLight<'_> {
-    /// The light on surfaces from the lane `start` of a block on: what is scattered and the highlight, or None when it shines on
-    /// nothing. Counts shadow rays.
+    /// The light on surfaces of pixels, lane by lane: what is scattered and the highlight. Counts shadow rays.
     #[inline(always)]
-    pub fn shine<S: Rays>(&self, s: S, block: &LitBlock, start: usize, rays: &mut u64) -> Option<[S::F; 2]> {
+    pub fn shine<S: Rays>(&self, s: S, lit: &Lit<S>, pixels: &[f32], rays: &mut u64) -> [S::F; 2] {
+        let zero = s.splat(0.0);
+        let SurfaceLanes { origin, n, ns, wo, diffuse, specular, shininess } = &lit.surface;
+        let shines = s.or(s.lt(zero, *diffuse), s.lt(zero, *specular));
+        let mut columns = [[[0.0; BLOCK]; 3]; 5];
+        let [shading, others @ ..] = &mut columns;
+        store3(s, &[*diffuse, *specular, *shininess], shading, 0);
+        for (column, v) in others.iter_mut().zip([origin, n, ns, wo]) {
+            store3(s, v, column, 0);
+        }
         let (mut scattered, mut highlight) = ([0.0; BLOCK], [0.0; BLOCK]);
-        for lane in 0..S::LANES {
-            let from = start + lane;
-            if block.diffuse[from] <= 0.0 && block.specular[from] <= 0.0 {
-                continue;
-            }
-            let mut surface = SoftShadow::new(SurfaceLanes::splat(s, block, from));
-            surface.try_points(s, self, block.pixel[from] as usize);
+        for lane in lanes_of(s.bits(s.and(lit.mask, shines))) {
+            let at = columns.map(|c| [c[0][lane], c[1][lane], c[2][lane]]);
+            let [[diffuse, specular, shininess], origin, n, ns, wo] = at;
+            let mut surface = SoftShadow::new(SurfaceLanes {
+                origin: splat3(s, origin),
+                n: splat3(s, n),
+                ns: splat3(s, ns),
+                wo: splat3(s, wo),
+                diffuse: s.splat(diffuse),
+                specular: s.splat(specular),
+                shininess: s.splat(shininess),
+            });
+            surface.try_points(s, self, pixels[lane] as usize);
             *rays += u64::from(surface.rays);
             scattered[lane] = total(&surface.scattered) / surface.tried as f32;
             highlight[lane] = total(&surface.highlight) / surface.tried as f32;
         }
-        Some([s.load(&scattered), s.load(&highlight)])
+        [s.load(&scattered), s.load(&highlight)]
     }
 }
 
@@ -65,12 +80,12 @@ impl<S: Rays> SoftShadow<S> {
     /// Tries points until the standard error is small enough or all are used.
     #[inline(always)]
     fn try_points(&mut self, s: S, light: &SoftLight, pixel: usize) {
-        let TileTask { settings, tile, .. } = light.wave.task;
-        let [x, y] = light.wave.order.place(pixel);
+        let TileTask { settings, tile, .. } = light.lamps.task;
+        let [x, y] = light.lamps.order.place(pixel);
         let (x, y) = (tile.x + x, tile.y + y);
         let sampler = SquareSampler::new(y * settings.size[0] + x, light.index, settings.seed);
         // Whole rounds for each sample, so that every round is stratified.
-        let first = light.wave.sample.wrapping_mul(settings.shadow_points.next_multiple_of(ROUND));
+        let first = light.lamps.sample.wrapping_mul(settings.shadow_points.next_multiple_of(ROUND));
         while self.tried < settings.shadow_points {
             let points = sampler.round(first.wrapping_add(self.tried));
             let count = ROUND.min(settings.shadow_points - self.tried);
@@ -105,7 +120,7 @@ impl<S: Rays> SoftShadow<S> {
             self.rays += s.bits(seen).count_ones();
             let packet = Packet::new(s, self.surface.origin, wi);
             let t_max = s.select(seen, distance, s.splat(-1.0));
-            let passes = light.wave.task.scene.accel.packet_transmittance(s, &packet, t_max);
+            let passes = light.lamps.task.scene.accel.packet_transmittance(s, &packet, t_max);
             let passes = s.select(seen, passes, zero);
             s.store(passes, &mut share[start..]);
             accumulate(s, &mut self.scattered[start..], s.select(seen, scattered, zero), passes);

@@ -16,6 +16,8 @@ pub struct TileOrder {
     /// Each pixel's place from the tile's left and top, filled up to whole blocks.
     x: Vec<f32>,
     y: Vec<f32>,
+    /// Each pixel's number, row by row.
+    numbers: Vec<u32>,
 }
 
 impl TileOrder {
@@ -27,12 +29,14 @@ impl TileOrder {
         self.size = [tile.width, tile.height];
         self.x.clear();
         self.y.clear();
+        self.numbers.clear();
         for top in (0..tile.height).step_by(SQUARE as usize) {
             for left in (0..tile.width).step_by(SQUARE as usize) {
                 for y in top..(top + SQUARE).min(tile.height) {
                     for x in left..(left + SQUARE).min(tile.width) {
                         self.x.push(x as f32);
                         self.y.push(y as f32);
+                        self.numbers.push(y * tile.width + x);
                     }
                 }
             }
@@ -102,12 +106,10 @@ impl Sums {
 
     /// Puts them into a picture of the tile, row by row.
     pub fn show(&self, order: &TileOrder, picture: &mut Vec<Rgb>) {
-        let [width, height] = order.size.map(|v| v as usize);
-        picture.resize(width * height, Rgb::BLACK);
+        picture.resize(order.numbers.len(), Rgb::BLACK);
         let [r, g, b] = &self.channels;
-        for pixel in 0..width * height {
-            let [x, y] = order.place(pixel).map(|v| v as usize);
-            picture[y * width + x] = Rgb::new(r[pixel], g[pixel], b[pixel]);
+        for (((&number, &r), &g), &b) in order.numbers.iter().zip(r).zip(g).zip(b) {
+            picture[number as usize] = Rgb::new(r, g, b);
         }
     }
 }

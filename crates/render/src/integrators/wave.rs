@@ -29,6 +29,8 @@ pub trait Columns<const N: usize> {
 /// How chosen lanes join others that are there already: packed, and turned so that they come to stand right behind them.
 #[derive(Clone, Copy)]
 pub struct Joining<S: Simd> {
+    /// Whether all lanes go where they are, as whole vectors.
+    is_whole: bool,
     order: S::Order,
     /// Lanes of the first place that are taken.
     taken: S::M,
@@ -43,11 +45,13 @@ impl<S: Simd> Joining<S> {
     #[inline(always)]
     pub fn new(s: S, chosen: S::M, len: usize) -> Self {
         let shift = len % S::LANES;
+        let count = s.bits(chosen).count_ones() as usize;
         Self {
+            is_whole: shift == 0 && count == S::LANES,
             order: s.packed(chosen, shift),
             taken: lanes_below(s, shift),
             start: len,
-            end: len + s.bits(chosen).count_ones() as usize,
+            end: len + count,
         }
     }
 
@@ -60,12 +64,18 @@ impl<S: Simd> Joining<S> {
     /// Writes columns. Places from the end of the last lane to the end of the vector hold something then that means nothing.
     #[inline(always)]
     pub fn write<const N: usize, B: Columns<N>>(&self, s: S, values: &[S::F; N], blocks: &mut [B]) {
+        let first = self.start - self.start % S::LANES;
+        let at = first % BLOCK;
+        if self.is_whole {
+            for (column, value) in blocks[first / BLOCK].columns().into_iter().zip(*values) {
+                s.store(value, &mut column[at..]);
+            }
+            return;
+        }
         let mut packed = *values;
         for value in &mut packed {
             *value = s.permute(*value, self.order);
         }
-        let first = self.start - self.start % S::LANES;
-        let at = first % BLOCK;
         for (column, value) in blocks[first / BLOCK].columns().into_iter().zip(packed) {
             let column = &mut column[at..];
             s.store(s.select(self.taken, s.load(column), value), column);

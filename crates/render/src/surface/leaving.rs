@@ -18,7 +18,8 @@ impl<S: Simd> Points<S> {
         let wi = reflect(s, &self.wo, &self.ns);
         // A smooth normal may send it into the surface: then the form's own normal decides.
         let leaves = s.lt(s.splat(0.0), dot(s, &wi, &self.n));
-        let wi = select3(s, leaves, &wi, &reflect(s, &self.wo, &self.n));
+        let all = s.bits(leaves).count_ones() as usize == S::LANES;
+        let wi = if all { wi } else { select3(s, leaves, &wi, &reflect(s, &self.wo, &self.n)) };
         Leaving { origin: self.origin(s), direction: unit3(s, &wi) }
     }
 
