@@ -1,4 +1,4 @@
-//! The classic renderer: the course work's benchmark, and soft shadows of 64 points.
+//! The classic renderer: the course work's benchmark with and without its dome of glass, and soft shadows of 64 points.
 //!
 //! `cargo bench --bench classic`
 
@@ -14,6 +14,13 @@ fn main() {
 #[divan::bench(args = [1, 2], sample_count = 20)]
 fn coursework_benchmark(bencher: Bencher, threads: usize) {
     let ready = Ready::example("coursework/benchmark.vitrine.toml");
+    bencher.bench_local(|| ready.render(threads));
+}
+
+/// The same without the dome of glass, which costs more than all else.
+#[divan::bench(args = [1, 2], sample_count = 20)]
+fn without_the_dome(bencher: Bencher, threads: usize) {
+    let ready = Ready::benchmark_without_dome();
     bencher.bench_local(|| ready.render(threads));
 }
 
