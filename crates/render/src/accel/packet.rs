@@ -106,7 +106,7 @@ pub fn moved<S: Simd>(s: S, to: &Affine3A, p: &[S::F; 3]) -> [S::F; 3] {
 
 /// The linear part of a map in each lane.
 #[inline(always)]
-fn turned<S: Simd>(s: S, to: &Affine3A, v: &[S::F; 3]) -> [S::F; 3] {
+pub fn turned<S: Simd>(s: S, to: &Affine3A, v: &[S::F; 3]) -> [S::F; 3] {
     let m = to.matrix3.to_cols_array();
     [
         dot(s, &[s.splat(m[0]), s.splat(m[3]), s.splat(m[6])], v),

@@ -252,7 +252,7 @@ fn slots(mesh: &TriangleMesh) -> Vec<u16> {
 }
 
 /// The unit normal of a triangle, counter-clockwise seen from its tip; any unit vector for one without area.
-pub fn unit_normal([a, b, c]: [Vec3; 3]) -> Vec3 {
+fn unit_normal([a, b, c]: [Vec3; 3]) -> Vec3 {
     let (ab, ac) = (b - a, c - a);
     // Scaled first, so that tiny triangles do not underflow.
     let scale = ab.abs().max_element().max(ac.abs().max_element());

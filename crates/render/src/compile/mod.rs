@@ -8,7 +8,7 @@ mod materials;
 mod touching;
 
 pub use camera::CompiledCamera;
-pub use geometry::{Form, Primitive, unit_normal};
+pub use geometry::{Form, Primitive};
 pub use limits::FARTHEST;
 pub use materials::{CompiledMaterial, CompiledTexture};
 pub use touching::reach_of;

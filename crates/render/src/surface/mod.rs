@@ -14,7 +14,7 @@ use crate::accel::simd::Simd;
 use crate::accel::{BLOCK, HitBlock, RayBlock};
 use crate::compile::CompiledScene;
 use field::Fields;
-use other::Others;
+use other::Arrival;
 
 /// How far rays start from the surface that they leave, as a part of the largest number that took part in finding it: some
 /// times what rounding can move, and far less than can be seen.
@@ -92,11 +92,7 @@ impl CompiledScene {
         let p = along3(s, &load3(s, &rays.origin, start), &d, s.load(&hits.t[start..]));
         let mut points = fields.points(s, &p, &d);
         if others != 0 {
-            let mut patch = Others::NONE;
-            for lane in lanes_of(others) {
-                patch.put(lane, self, &rays.get(start + lane), &hits.get(start + lane));
-            }
-            patch.replace(s, &mut points);
+            self.replace_others(s, others, &Arrival { at, p, d }, &mut points);
         }
         Seen { look: self.look(s, &HitPoints { at, hit, p: points.p }, &materials), points }
     }
