@@ -25,7 +25,8 @@ impl Accel {
     /// The same for rays each on its own, which is faster where neighbours go different ways. One place in `hits` for each
     /// ray; those beyond stay as they are.
     pub fn closest_each(&self, rays: &[Ray], hits: &mut [Option<Hit>]) {
-        self.instructions.run(ClosestEach { accel: self, rays, hits });
+        // Eight lanes are all that a single ray can use.
+        self.instructions.eight().run(ClosestEach { accel: self, rays, hits });
     }
 
     /// Finds the nearest hits of rays in lanes.

@@ -55,7 +55,11 @@ impl<'a, S: Rays, R: Receive<S>> Level<S> for SceneLevel<'a, R> {
             }
             _ => {
                 for instance in &accel.instances[first..first + count] {
-                    let inside = packet.transformed(s, &instance.mesh_from_world);
+                    let inside = if instance.is_in_place() {
+                        *packet
+                    } else {
+                        packet.transformed(s, &instance.mesh_from_world)
+                    };
                     let inner = receive.narrowed(s, entry.mask);
                     let mut level = MeshLevel { instance, from: entry.near, receive: inner };
                     s.walk(&instance.mesh.tree.nodes, &inside, &mut level);

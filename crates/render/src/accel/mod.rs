@@ -14,6 +14,7 @@ pub mod primitives;
 pub(crate) mod rays;
 pub mod simd;
 mod single;
+mod stack;
 mod stream;
 mod transmittance;
 pub mod tree;
@@ -60,6 +61,14 @@ fn append<T>(to: &mut Vec<T>, items: impl Iterator<Item = T>) -> u32 {
     let first = to.len() as u32;
     to.extend(items);
     first
+}
+
+impl Instance {
+    /// Whether the mesh's own space is the world: then rays need not be moved.
+    #[inline(always)]
+    fn is_in_place(&self) -> bool {
+        self.mesh_from_world == Affine3A::IDENTITY
+    }
 }
 
 /// The materials of a primitive: that of slot k is `first + k`.

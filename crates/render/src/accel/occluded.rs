@@ -22,7 +22,8 @@ impl Accel {
 
     /// The same for rays each on its own. One place in `answers` for each ray; those beyond stay as they are.
     pub fn occluded_each(&self, rays: &[Ray], answers: &mut [bool]) {
-        self.instructions.run(OccludedEach { accel: self, rays, answers });
+        // Eight lanes are all that a single ray can use.
+        self.instructions.eight().run(OccludedEach { accel: self, rays, answers });
     }
 
     /// Which rays in lanes meet a surface. Lanes with `t_max ≤ 0` shoot no ray.

@@ -8,8 +8,8 @@ use super::packet::{FAR_ROUNDED_UP, Packet};
 use super::rays::{Level, Rays, Receive};
 use super::simd::{Kernel, Simd};
 use super::single::{One, walk_alone};
-use super::tree::{Node, STACK, WIDTH};
-use arrayvec::ArrayVec;
+use super::stack::{Room, Stack};
+use super::tree::{Node, WIDTH};
 
 /// Of so many lanes one ray may be left before it goes on alone.
 const LANES_FOR_ONE: usize = 4;
@@ -104,7 +104,8 @@ pub fn walk_together<S: Rays, L: Level<S>>(s: S, nodes: &[Node], packet: &Packet
         return;
     }
     let beam = Beam::new(s, packet, active, level.receive().t_min(s));
-    let mut stack = ArrayVec::<Waiting, STACK>::new();
+    let mut room = Room::<Waiting>::new();
+    let mut stack = room.stack();
     let mut node = 0_u32;
     loop {
         let t_max = greatest(s, level.receive().t_max(s), level.receive().active(s));
@@ -143,7 +144,7 @@ fn push<S: Rays, R: Receive<S>>(
     node: u32,
     mut bits: u32,
     distances: &[f32; WIDTH],
-    stack: &mut ArrayVec<Waiting, STACK>,
+    stack: &mut Stack<Waiting>,
 ) {
     let bottom = stack.len();
     while bits != 0 {
@@ -152,11 +153,7 @@ fn push<S: Rays, R: Receive<S>>(
         let near = distances[place as usize % WIDTH];
         stack.push(Waiting { near, node, place });
         if R::NEAREST_FIRST {
-            let mut at = stack.len() - 1;
-            while at > bottom && stack[at - 1].near < near {
-                stack.swap(at - 1, at);
-                at -= 1;
-            }
+            stack.sink(bottom, |below, value| below.near < value.near);
         }
     }
 }

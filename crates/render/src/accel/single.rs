@@ -6,8 +6,8 @@ use super::primitives::sphere;
 use super::primitives::triangle::{Crossing, ORDER, Sheared, crossing, fastest_axis};
 use super::rays::{Level, Rays, Receive, SphereLeaf, TriangleLeaf};
 use super::simd::{Kernel, Simd};
-use super::tree::{Child, Node, STACK, WIDTH};
-use arrayvec::ArrayVec;
+use super::stack::{Room, Stack};
+use super::tree::{Child, Node, WIDTH};
 
 /// One ray as a packet with one lane, beside a vector unit of eight lanes.
 #[derive(Clone, Copy, Debug)]
@@ -198,7 +198,8 @@ pub fn walk_alone<E: Simd, L: Level<One<E>>>(
     // The rows of the near sides; their neighbours are the far sides.
     let near_rows = [0, 1, 2].map(|k: usize| 2 * k + usize::from(ray.inv[k] < 0.0));
     let t_min = e.splat(level.receive().t_min(s));
-    let mut stack = ArrayVec::<Waiting, STACK>::new();
+    let mut room = Room::<Waiting>::new();
+    let mut stack = room.stack();
     let mut now = Waiting { near: 0.0, child: Child { first: root, tag: 0 } };
     loop {
         if now.child.is_leaf() {
@@ -240,7 +241,7 @@ fn open<R: Receive<S>, S: Rays>(
     node: &Node,
     mut bits: u32,
     distances: &[f32; WIDTH],
-    stack: &mut ArrayVec<Waiting, STACK>,
+    stack: &mut Stack<Waiting>,
 ) -> Waiting {
     let waiting = |place: usize| Waiting { near: distances[place % WIDTH], child: node.child(place) };
     if !R::NEAREST_FIRST {
@@ -271,12 +272,7 @@ fn open<R: Receive<S>, S: Rays>(
         }
         // The stack stays sorted, the nearest on top.
         stack.push(other);
-        let mut place = stack.len() - 1;
-        while place > bottom && stack[place - 1].near < other.near {
-            stack[place] = stack[place - 1];
-            place -= 1;
-        }
-        stack[place] = other;
+        stack.sink(bottom, |below, value| below.near < value.near);
         if !more {
             return nearest;
         }
