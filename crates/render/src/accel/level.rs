@@ -1,8 +1,8 @@
 //! The two levels of trees: the scene's, whose leaves hold forms of every kind, and a mesh's, whose leaves hold triangles.
 
-use super::packet::{Entry, Packet};
+use super::packet::Entry;
 use super::primitives::{cuboid, sphere};
-use super::rays::{Level, Rays, Receive, SphereLeaf, TriangleLeaf};
+use super::rays::{Bundle, Level, Rays, Receive, SphereLeaf, TriangleLeaf};
 use super::simd::Simd;
 use super::tree::Child;
 use super::{Accel, Instance, leaf};
@@ -25,7 +25,8 @@ impl<'a, S: Rays, R: Receive<S>> Level<S> for SceneLevel<'a, R> {
     }
 
     #[inline(always)]
-    fn leaf(&mut self, s: S, packet: &Packet<S>, child: Child, entry: Entry<S>) {
+    fn leaf(&mut self, s: S, rays: &Bundle<S>, child: Child, entry: Entry<S>) {
+        let packet = rays.packet;
         let (first, count) = (child.first as usize, child.count() as usize);
         let (accel, receive) = (self.accel, &mut self.receive);
         match child.kind() {
@@ -34,7 +35,7 @@ impl<'a, S: Rays, R: Receive<S>> Level<S> for SceneLevel<'a, R> {
             }
             leaf::TRIANGLE => {
                 let leaf = TriangleLeaf { block: &accel.triangles[first], count, mesh: None };
-                s.triangles(packet, &leaf, entry, receive);
+                s.triangles(rays, &leaf, entry, receive);
             }
             leaf::BOX => {
                 for unit in &accel.boxes[first..first + count] {
@@ -100,7 +101,7 @@ impl<'a, S: Rays, R: Receive<S>> Level<S> for MeshLevel<'a, S, R> {
     }
 
     #[inline(always)]
-    fn leaf(&mut self, s: S, packet: &Packet<S>, child: Child, entry: Entry<S>) {
+    fn leaf(&mut self, s: S, rays: &Bundle<S>, child: Child, entry: Entry<S>) {
         let mesh = &*self.instance.mesh;
         let leaf = TriangleLeaf {
             block: &mesh.blocks[child.first as usize],
@@ -108,7 +109,7 @@ impl<'a, S: Rays, R: Receive<S>> Level<S> for MeshLevel<'a, S, R> {
             mesh: Some((mesh, self.instance.primitive)),
         };
         let entry = Entry { near: s.max(self.from, entry.near), ..entry };
-        s.triangles(packet, &leaf, entry, &mut self.receive);
+        s.triangles(rays, &leaf, entry, &mut self.receive);
     }
 
     #[inline(always)]

@@ -2,7 +2,7 @@
 
 use super::primitives::triangle::TriangleBlock;
 use super::tree::{Item, Tree};
-use super::{LEAVES, leaf};
+use super::{LEAVES, huge, leaf};
 use rayon::prelude::*;
 use vitrine_math::{Bounds3, Vec3};
 
@@ -24,10 +24,12 @@ impl MeshAccel {
     #[must_use]
     pub fn new(positions: &[Vec3], triangles: &[[u32; 3]], slots: Vec<u16>) -> Self {
         let corners = |t: u32| triangles[t as usize].map(|corner| positions[corner as usize]);
-        let items: Vec<_> = (0..triangles.len() as u32)
-            .into_par_iter()
-            .map(|t| Item::new(&Bounds3::around(corners(t)), t, leaf::TRIANGLE))
-            .collect();
+        let mut items = huge::with_capacity(triangles.len());
+        items.par_extend(
+            (0..triangles.len() as u32)
+                .into_par_iter()
+                .map(|t| Item::new(&Bounds3::around(corners(t)), t, leaf::TRIANGLE)),
+        );
         let mut contents: Vec<([u32; 8], u8)> = Vec::with_capacity(triangles.len() / 6);
         let tree = Tree::build(items, LEAVES, &mut |_, items| {
             let mut ids = [0; 8];
@@ -38,7 +40,8 @@ impl MeshAccel {
         let block = |(ids, count): &([u32; 8], u8)| {
             TriangleBlock::new(ids[..usize::from(*count)].iter().map(|&id| (corners(id), id)))
         };
-        let blocks = contents.par_iter().map(block).collect();
+        let mut blocks = huge::with_capacity(contents.len());
+        blocks.par_extend(contents.par_iter().map(block));
         let bounds = Bounds3::around(positions.iter().copied());
         Self { tree, blocks, slots, bounds }
     }

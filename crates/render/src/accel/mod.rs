@@ -4,7 +4,10 @@
 //! triangles. Leaves are typed: spheres, boxes, ellipsoids and triangles stay exact, meshes are entered through their own
 //! space. Planes have no box and are tested first. Rays go in packets, a ray a lane ([`simd`]).
 
+mod beam;
 mod closest;
+mod huge;
+mod lanes;
 mod level;
 mod mesh;
 mod occluded;

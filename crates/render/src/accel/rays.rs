@@ -1,11 +1,10 @@
 //! One ray or many: how rays are tested against blocks, and how they walk through a tree.
 
 use super::MeshAccel;
-use super::packet::{Entry, Packet, splat3};
-use super::packet_walk::walk_together;
+use super::packet::{Entry, Packet};
 use super::primitives::Span;
-use super::primitives::sphere::{self, SphereBlock};
-use super::primitives::triangle::{BLOCK_TRIANGLES, Crossing, ORDER, TriangleBlock, crossing};
+use super::primitives::sphere::SphereBlock;
+use super::primitives::triangle::{BLOCK_TRIANGLES, Crossing, ORDER, Sheared, TriangleBlock, crossing};
 use super::simd::Simd;
 use super::single::One;
 use super::tree::{Child, Node};
@@ -17,71 +16,41 @@ use super::tree::{Child, Node};
 pub trait Rays: Simd {
     /// A vector unit of eight lanes.
     type Eight: Simd;
+    /// What is known of all rays together.
+    type Beam;
 
     /// Eight lanes to test one ray against eight things.
     fn eight(self) -> Self::Eight;
 
-    /// Tells which rays of a packet cross the triangles of a leaf, in their order.
-    #[inline(always)]
+    /// Tells which rays cross the triangles of a leaf, each in their order.
     fn triangles<R: Receive<Self>>(
         self,
-        packet: &Packet<Self>,
+        rays: &Bundle<Self>,
         leaf: &TriangleLeaf,
         entry: Entry<Self>,
         receive: &mut R,
-    ) {
-        let fastest = packet.fastest(self);
-        for place in 0..leaf.count {
-            let [a, b, c] = &leaf.block.corners;
-            for (axis, &fastest) in fastest.iter().enumerate() {
-                let mask = self.and(entry.mask, fastest);
-                if !self.any(mask) {
-                    continue;
-                }
-                let corners = [
-                    corner(self, a, axis, place),
-                    corner(self, b, axis, place),
-                    corner(self, c, axis, place),
-                ];
-                if let Some(hit) = crossing(self, &packet.sheared(self, axis), &corners, mask) {
-                    receive.crossing(self, &hit, entry.near, leaf.surface(place));
-                }
-            }
-        }
-    }
+    );
 
-    /// Tells which rays of a packet cross the balls of a leaf, in their order.
-    #[inline(always)]
+    /// Tells which rays cross the balls of a leaf, each in their order.
     fn spheres<R: Receive<Self>>(
         self,
         packet: &Packet<Self>,
         leaf: &SphereLeaf,
         entry: Entry<Self>,
         receive: &mut R,
-    ) {
-        for place in 0..leaf.count {
-            let [x, y, z] = &leaf.block.centers;
-            let center = splat3(self, [x[place], y[place], z[place]]);
-            let radius = self.splat(leaf.block.radii[place]);
-            if let Some(span) = sphere::span(self, packet, &center, radius, entry.mask) {
-                receive.span(self, &span, entry.near, leaf.block.primitives[place]);
-            }
-        }
-    }
+    );
 
     /// Takes the rays through a tree.
-    #[inline(always)]
-    fn walk<L: Level<Self>>(self, nodes: &[Node], packet: &Packet<Self>, level: &mut L) {
-        walk_together(self, nodes, packet, level);
-    }
+    fn walk<L: Level<Self>>(self, nodes: &[Node], packet: &Packet<Self>, level: &mut L);
 }
 
-/// One corner of a triangle for all rays, its components in the order of an axis.
-#[inline(always)]
-fn corner<S: Simd>(s: S, corners: &[[f32; BLOCK_TRIANGLES]; 3], axis: usize, place: usize) -> [S::F; 3] {
-    let [x, y, z] = ORDER[axis];
-    let place = place % BLOCK_TRIANGLES;
-    [s.splat(corners[x][place]), s.splat(corners[y][place]), s.splat(corners[z][place])]
+/// Rays at a leaf.
+#[derive(Clone, Copy)]
+pub struct Bundle<'a, S: Rays> {
+    /// The rays.
+    pub packet: &'a Packet<S>,
+    /// What is known of them all.
+    pub beam: &'a S::Beam,
 }
 
 /// Triangles of a leaf.
@@ -104,6 +73,41 @@ impl<'a> TriangleLeaf<'a> {
             None => Surface { primitive: id, triangle: 0, mesh: None },
         }
     }
+}
+
+impl TriangleLeaf<'_> {
+    /// The triangles that one ray crosses before `t_max`, a bit for each, with the distances and the barycentric coordinates;
+    /// None when there is none. The ray is sheared onto the axis.
+    #[inline(always)]
+    pub fn crossed<E: Simd>(
+        &self,
+        e: E,
+        ray: &Sheared<E>,
+        axis: usize,
+        t_max: f32,
+    ) -> Option<(u32, [[f32; BLOCK_TRIANGLES]; 3])> {
+        let [a, b, c] = &self.block.corners;
+        let zero = e.splat(0.0);
+        let corners = [corner(e, a, axis), corner(e, b, axis), corner(e, c, axis)];
+        let hit = crossing(e, ray, &corners, e.le(zero, zero))?;
+        let in_time = e.and(e.lt(zero, hit.t), e.le(hit.t, e.splat(t_max)));
+        let bits = e.bits(e.and(hit.mask, in_time));
+        if bits == 0 {
+            return None;
+        }
+        let mut lanes = [[0.0; BLOCK_TRIANGLES]; 3];
+        e.store(hit.t, &mut lanes[0]);
+        e.store(hit.u, &mut lanes[1]);
+        e.store(hit.v, &mut lanes[2]);
+        Some((bits, lanes))
+    }
+}
+
+/// The corners of eight triangles, their components in the order of an axis.
+#[inline(always)]
+fn corner<E: Simd>(e: E, corners: &[[f32; BLOCK_TRIANGLES]; 3], axis: usize) -> [E::F; 3] {
+    let [x, y, z] = ORDER[axis];
+    [e.load(&corners[x]), e.load(&corners[y]), e.load(&corners[z])]
 }
 
 /// Balls of a leaf.
@@ -162,7 +166,7 @@ pub trait Level<S: Rays> {
     /// What is done with the surfaces.
     fn receive(&self) -> &Self::Receive;
     /// A leaf, for the rays that enter its box.
-    fn leaf(&mut self, s: S, packet: &Packet<S>, leaf: Child, entry: Entry<S>);
+    fn leaf(&mut self, s: S, rays: &Bundle<S>, leaf: Child, entry: Entry<S>);
     /// The same for the ray of one lane.
     fn single(&self, s: S, lane: usize) -> Self::Single;
     /// Takes over what has been found for the ray of one lane.

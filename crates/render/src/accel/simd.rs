@@ -186,7 +186,7 @@ impl Instructions {
     pub fn eight(self) -> Self {
         match self {
             #[cfg(target_arch = "x86_64")]
-            Self::Avx512(token) => Self::Avx2(token.eight()),
+            Self::Avx512(token) => Self::Avx2(token.narrow()),
             other => other,
         }
     }
@@ -215,6 +215,23 @@ fn run_avx2<K: Kernel>(token: Avx2, kernel: K) -> K::Output {
 #[target_feature(enable = "avx512f,bmi1,lzcnt,popcnt")]
 fn run_avx512<K: Kernel>(token: Avx512, kernel: K) -> K::Output {
     kernel.run(token)
+}
+
+/// Asks for the memory of a value, which will be needed soon.
+#[inline(always)]
+pub fn prefetch<T>(value: &T) {
+    #[cfg(target_arch = "x86_64")]
+    {
+        use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
+        const LINE: usize = 64;
+        let start = std::ptr::from_ref(value).cast::<i8>();
+        for line in (0..size_of::<T>()).step_by(LINE) {
+            // SAFETY: a prefetch reads nothing, and the address lies within the value.
+            unsafe { _mm_prefetch::<_MM_HINT_T0>(start.add(line)) };
+        }
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    let _ = value;
 }
 
 /// Plain Rust, 8 lanes.
@@ -305,15 +322,6 @@ impl Simd for Portable {
     }
 }
 
-impl Rays for Portable {
-    type Eight = Self;
-
-    #[inline(always)]
-    fn eight(self) -> Self {
-        self
-    }
-}
-
 /// The lanes of each mask of eight in turn, then zeros.
 const TOGETHER: [[u8; 8]; 256] = {
     let mut all = [[0; 8]; 256];
@@ -337,7 +345,7 @@ pub use x86::{Avx2, Avx512};
 
 #[cfg(target_arch = "x86_64")]
 mod x86 {
-    use super::{Kernel, Rays, Simd, TOGETHER, run_avx2, run_avx512};
+    use super::{Kernel, Simd, TOGETHER, run_avx2, run_avx512};
     use std::arch::x86_64::*;
 
     /// Proof that the processor has AVX2; 8 lanes.
@@ -417,15 +425,6 @@ mod x86 {
         }
     }
 
-    impl Rays for Avx2 {
-        type Eight = Self;
-
-        #[inline(always)]
-        fn eight(self) -> Self {
-            self
-        }
-    }
-
     impl Simd for Avx512 {
         const LANES: usize = 16;
         type F = __m512;
@@ -498,12 +497,11 @@ mod x86 {
         }
     }
 
-    impl Rays for Avx512 {
-        type Eight = Avx2;
-
-        /// AVX-512 brings AVX2 with it.
+    impl Avx512 {
+        /// The same processor's eight lanes: AVX-512 brings AVX2 with it.
         #[inline(always)]
-        fn eight(self) -> Avx2 {
+        #[must_use]
+        pub const fn narrow(self) -> Avx2 {
             Avx2(())
         }
     }

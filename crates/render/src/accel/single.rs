@@ -3,9 +3,9 @@
 use super::packet::{Entry, FAR_ROUNDED_UP, Packet, splat3};
 use super::primitives::Span;
 use super::primitives::sphere;
-use super::primitives::triangle::{Crossing, ORDER, Sheared, crossing, fastest_axis};
-use super::rays::{Level, Rays, Receive, SphereLeaf, TriangleLeaf};
-use super::simd::{Kernel, Simd};
+use super::primitives::triangle::{Crossing, Sheared, fastest_axis};
+use super::rays::{Bundle, Level, Rays, Receive, SphereLeaf, TriangleLeaf};
+use super::simd::{Kernel, Simd, prefetch};
 use super::stack::{Room, Stack};
 use super::tree::{Child, Node, WIDTH};
 
@@ -85,6 +85,7 @@ impl<E: Simd> Simd for One<E> {
 
 impl<E: Simd> Rays for One<E> {
     type Eight = E;
+    type Beam = ();
 
     #[inline(always)]
     fn eight(self) -> E {
@@ -94,31 +95,21 @@ impl<E: Simd> Rays for One<E> {
     #[inline(always)]
     fn triangles<R: Receive<Self>>(
         self,
-        ray: &Packet<Self>,
+        ray: &Bundle<Self>,
         leaf: &TriangleLeaf,
         entry: Entry<Self>,
         receive: &mut R,
     ) {
         let e = self.0;
-        let axis = fastest_axis(ray.d);
-        let Sheared { o, d, slope: [x, y] } = ray.sheared(self, axis);
-        let ray = Sheared { o: splat3(e, o), d: splat3(e, d), slope: [e.splat(x), e.splat(y)] };
-        let [a, b, c] = &leaf.block.corners;
-        let corners = [corner(e, a, axis), corner(e, b, axis), corner(e, c, axis)];
-        let Some(hit) = crossing(e, &ray, &corners, e.le(e.splat(0.0), e.splat(0.0))) else { return };
-        let in_time = e.and(e.lt(e.splat(0.0), hit.t), e.le(hit.t, e.splat(receive.t_max(self))));
-        let mut bits = e.bits(e.and(hit.mask, in_time));
-        if bits == 0 {
-            return;
-        }
-        let mut lanes = [[0.0; WIDTH]; 3];
-        for (to, v) in lanes.iter_mut().zip([hit.t, hit.u, hit.v]) {
-            e.store(v, to);
-        }
+        let axis = fastest_axis(ray.packet.d);
+        let Sheared { o, d, slope: [x, y] } = ray.packet.sheared(self, axis);
+        let sheared = Sheared { o: splat3(e, o), d: splat3(e, d), slope: [e.splat(x), e.splat(y)] };
+        let t_max = receive.t_max(self);
+        let Some((mut bits, hits)) = leaf.crossed(e, &sheared, axis, t_max) else { return };
         while bits != 0 {
             let place = bits.trailing_zeros() as usize % WIDTH;
             bits &= bits - 1;
-            let hit = Crossing { mask: true, t: lanes[0][place], u: lanes[1][place], v: lanes[2][place] };
+            let hit = Crossing { mask: true, t: hits[0][place], u: hits[1][place], v: hits[2][place] };
             receive.crossing(self, &hit, entry.near, leaf.surface(place));
         }
     }
@@ -164,13 +155,6 @@ impl<E: Simd> Rays for One<E> {
     }
 }
 
-/// The corners of eight triangles, their components in the order of an axis.
-#[inline(always)]
-fn corner<E: Simd>(e: E, corners: &[[f32; WIDTH]; 3], axis: usize) -> [E::F; 3] {
-    let [x, y, z] = ORDER[axis];
-    [e.load(&corners[x]), e.load(&corners[y]), e.load(&corners[z])]
-}
-
 /// Where a ray crosses one side of each of eight boxes.
 #[inline(always)]
 fn side<E: Simd>(e: E, node: &Node, row: usize, o: E::F, inv: E::F) -> E::F {
@@ -203,7 +187,12 @@ pub fn walk_alone<E: Simd, L: Level<One<E>>>(
     let mut now = Waiting { near: 0.0, child: Child { first: root, tag: 0 } };
     loop {
         if now.child.is_leaf() {
-            level.leaf(s, ray, now.child, Entry { mask: true, near: now.near });
+            level.leaf(
+                s,
+                &Bundle { packet: ray, beam: &() },
+                now.child,
+                Entry { mask: true, near: now.near },
+            );
             if !level.receive().active(s) {
                 return;
             }
@@ -229,6 +218,9 @@ pub fn walk_alone<E: Simd, L: Level<One<E>>>(
             let Some(next) = stack.pop() else { return };
             if next.near <= level.receive().t_max(s) {
                 now = next;
+                if let Some(after) = stack.peek().filter(|after| !after.child.is_leaf()) {
+                    prefetch(&nodes[after.child.first as usize]);
+                }
                 break;
             }
         }

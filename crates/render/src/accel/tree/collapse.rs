@@ -3,6 +3,7 @@
 use super::binary::{Branch, Content};
 use super::item::Item;
 use super::node::{Child, Node, WIDTH};
+use crate::accel::huge;
 
 /// Nodes over the binary tree, the root first, each before what is below it.
 pub fn collapse(root: &Branch, items: &[Item], leaf: &mut dyn FnMut(u8, &[Item]) -> u32) -> Vec<Node> {
@@ -17,8 +18,7 @@ pub fn collapse(root: &Branch, items: &[Item], leaf: &mut dyn FnMut(u8, &[Item])
             all.node(children);
         }
     }
-    all.nodes.shrink_to_fit();
-    all.nodes
+    huge::settled(&all.nodes)
 }
 
 struct Collapse<'a> {
