@@ -6,6 +6,7 @@
 mod bounds;
 mod color;
 pub mod hash;
+mod offset;
 mod power;
 mod ray;
 mod transform;
@@ -14,6 +15,7 @@ pub mod warp;
 pub use bounds::Bounds3;
 pub use color::{ParseColorError, Rgb, linear_from_srgb, srgb_from_linear};
 pub use glam::{Affine3A, Mat3, Quat, Vec2, Vec3, Vec4};
+pub use offset::{OFFSET_SHARE, OFFSET_STEPS, offset_origin};
 pub use power::pow_unit;
 pub use ray::Ray;
 pub use transform::{Axis, Transform, rotation_from_turn};

@@ -49,6 +49,9 @@ pub trait Simd: Copy {
     fn min(self, a: Self::F, b: Self::F) -> Self::F;
     /// a if a > b, else b (so b where either is NaN).
     fn max(self, a: Self::F, b: Self::F) -> Self::F;
+    /// The float that is so many floats farther from 0, or nearer to it when the number is negative. Fractions of the number do
+    /// not count; it is below 2²⁴, and 0 is not crossed.
+    fn step(self, a: Self::F, count: Self::F) -> Self::F;
     /// a < b
     fn lt(self, a: Self::F, b: Self::F) -> Self::M;
     /// a ≤ b
@@ -269,6 +272,7 @@ impl Simd for Portable {
         floor(a) -> F = |x| x.floor();
         min(a, b) -> F = |x, y| if x < y { x } else { y };
         max(a, b) -> F = |x, y| if x > y { x } else { y };
+        step(a, count) -> F = |x, n| f32::from_bits(x.to_bits().wrapping_add_signed(n as i32));
     }
     lanewise! {
         lt -> M = |x, y| x < y;
@@ -384,6 +388,7 @@ mod x86 {
             floor(a: __m256) -> __m256 = _mm256_floor_ps(a);
             min(a: __m256, b: __m256) -> __m256 = _mm256_min_ps(a, b);
             max(a: __m256, b: __m256) -> __m256 = _mm256_max_ps(a, b);
+            step(a: __m256, count: __m256) -> __m256 = _mm256_castsi256_ps(_mm256_add_epi32(_mm256_castps_si256(a), _mm256_cvttps_epi32(count)));
             lt(a: __m256, b: __m256) -> __m256 = _mm256_cmp_ps::<_CMP_LT_OQ>(a, b);
             le(a: __m256, b: __m256) -> __m256 = _mm256_cmp_ps::<_CMP_LE_OQ>(a, b);
             eq(a: __m256, b: __m256) -> __m256 = _mm256_cmp_ps::<_CMP_EQ_OQ>(a, b);
@@ -442,6 +447,7 @@ mod x86 {
             floor(a: __m512) -> __m512 = _mm512_roundscale_ps::<{ _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC }>(a);
             min(a: __m512, b: __m512) -> __m512 = _mm512_min_ps(a, b);
             max(a: __m512, b: __m512) -> __m512 = _mm512_max_ps(a, b);
+            step(a: __m512, count: __m512) -> __m512 = _mm512_castsi512_ps(_mm512_add_epi32(_mm512_castps_si512(a), _mm512_cvttps_epi32(count)));
             lt(a: __m512, b: __m512) -> __mmask16 = _mm512_cmp_ps_mask::<_CMP_LT_OQ>(a, b);
             le(a: __m512, b: __m512) -> __mmask16 = _mm512_cmp_ps_mask::<_CMP_LE_OQ>(a, b);
             eq(a: __m512, b: __m512) -> __mmask16 = _mm512_cmp_ps_mask::<_CMP_EQ_OQ>(a, b);
@@ -524,7 +530,7 @@ mod tests {
                 s.store(v, &mut lanes);
                 lanes[..S::LANES].iter().map(|v| if v.is_nan() { 1 } else { v.to_bits() }).collect::<Vec<_>>()
             };
-            let mut rows: Vec<Vec<u32>> = vec![Vec::new(); 15];
+            let mut rows: Vec<Vec<u32>> = vec![Vec::new(); 16];
             for start in (0..16).step_by(S::LANES) {
                 let (a, b) = (s.load(&self.0[start..]), s.load(&self.1[start..]));
                 let (lt, le, eq) = (s.lt(a, b), s.le(a, b), s.eq(a, b));
@@ -538,6 +544,7 @@ mod tests {
                     s.floor(a),
                     s.min(a, b),
                     s.max(a, b),
+                    s.step(a, s.min(s.max(b, s.splat(-20.0)), s.splat(20.0))),
                     s.select(lt, a, b),
                     s.select(le, a, b),
                     s.select(eq, a, b),

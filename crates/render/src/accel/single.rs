@@ -39,6 +39,7 @@ impl<E: Simd> Simd for One<E> {
         floor(a) -> f32 = a.floor();
         min(a, b) -> f32 = if a < b { a } else { b };
         max(a, b) -> f32 = if a > b { a } else { b };
+        step(a, count) -> f32 = f32::from_bits(a.to_bits().wrapping_add_signed(count as i32));
         lt(a, b) -> bool = a < b;
         le(a, b) -> bool = a <= b;
         eq(a, b) -> bool = a == b;

@@ -2,8 +2,7 @@
 //! one, now the other before the other: speckles. So transparent boxes and models draw back by a little more than
 //! rounding can move, far less than can be seen; the floor is then always met after the glass.
 
-use crate::surface::LIFT;
-use vitrine_math::{Transform, Vec3};
+use vitrine_math::{OFFSET_SHARE, Transform, Vec3};
 use vitrine_scene::Geometry;
 
 /// How many times farther than a ray's start a face draws back, times 1 to [`RANKS`]: a bent ray that leaves the glass starts
@@ -46,7 +45,7 @@ pub fn drawn_back(geometry: Geometry, transform: Transform, id: u32) -> (Geometr
 
 /// The part of each half edge that is left.
 fn share_left(half: Vec3, reach: f32, transform: &Transform, id: u32) -> Vec3 {
-    let step = STEPS * LIFT * reach * (1 + id % RANKS) as f32;
+    let step = STEPS * OFFSET_SHARE * reach * (1 + id % RANKS) as f32;
     Vec3::from_array([0, 1, 2].map(|k| {
         let half_edge = transform.world_from_object.matrix3.col(k).length() * half[k];
         // What is flat, or too large or small to tell, stays as it is.

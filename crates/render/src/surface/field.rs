@@ -1,6 +1,6 @@
 //! What the points and normals of each primitive are worked out from, in lanes.
 
-use super::{LIFT, Points};
+use super::Points;
 use crate::accel::packet::{along3, dot, scale3, sub3, unit3};
 use crate::accel::simd::Simd;
 use crate::compile::{Form, Primitive, reach_of};
@@ -103,7 +103,7 @@ impl<S: Simd> Fields<S> {
         let wo = sub3(s, &[zero; 3], d);
         let is_outside = s.le(zero, dot(s, &n, &wo));
         let n = scale3(s, &n, s.select(is_outside, s.splat(1.0), s.splat(-1.0)));
-        let largest = s.max(s.max(s.abs(p[0]), s.abs(p[1])), s.max(s.abs(p[2]), self.reach));
-        Points { p, n, ns: n, wo, is_outside, lift: s.mul(largest, s.splat(LIFT)) }
+        let reach = s.max(s.max(s.abs(p[0]), s.abs(p[1])), s.max(s.abs(p[2]), self.reach));
+        Points { p, n, ns: n, wo, is_outside, reach }
     }
 }

@@ -3,6 +3,7 @@
 use super::Points;
 use crate::accel::packet::{dot, scale3, select3, sub3, unit3};
 use crate::accel::simd::Simd;
+use vitrine_math::{OFFSET_SHARE, OFFSET_STEPS};
 
 /// Where rays start and where they go, of unit direction.
 #[derive(Clone, Copy)]
@@ -12,6 +13,18 @@ pub struct Leaving<S: Simd> {
 }
 
 impl<S: Simd> Points<S> {
+    /// Where rays start that leave on the viewer's side.
+    #[inline(always)]
+    pub fn origin(&self, s: S) -> [S::F; 3] {
+        offset(s, &self.p, &self.n, self.reach)
+    }
+
+    /// Where rays start that leave on the other side.
+    #[inline(always)]
+    fn origin_beyond(&self, s: S) -> [S::F; 3] {
+        offset(s, &self.p, &sub3(s, &[s.splat(0.0); 3], &self.n), self.reach)
+    }
+
     /// The mirror rays.
     #[inline(always)]
     pub fn mirrored(&self, s: S) -> Leaving<S> {
@@ -43,6 +56,22 @@ impl<S: Simd> Points<S> {
             direction: select3(s, passes, &unit3(s, &wi), &mirrored.direction),
         }
     }
+}
+
+/// [`vitrine_math::offset_origin`] in lanes.
+#[inline(always)]
+fn offset<S: Simd>(s: S, p: &[S::F; 3], n: &[S::F; 3], reach: S::F) -> [S::F; 3] {
+    let zero = s.splat(0.0);
+    let small = s.max(s.mul(s.splat(0.5), reach), s.splat(f32::MIN_POSITIVE));
+    let by = s.mul(s.splat(OFFSET_SHARE), reach);
+    let mut moved = *p;
+    for k in 0..3 {
+        let steps = s.mul(s.splat(OFFSET_STEPS), n[k]);
+        let outwards = s.select(s.lt(p[k], zero), s.sub(zero, steps), steps);
+        let is_small = s.le(s.abs(p[k]), small);
+        moved[k] = s.select(is_small, s.add(p[k], s.mul(n[k], by)), s.step(p[k], outwards));
+    }
+    moved
 }
 
 /// 2N⟨N, wo⟩ − wo
@@ -80,7 +109,7 @@ mod tests {
                     ns: n,
                     wo: load3(s, self.wo, start),
                     is_outside: s.le(zero, zero),
-                    lift: zero,
+                    reach: zero,
                 };
                 let bent = points.bent(s, s.splat(self.refraction));
                 store3(s, &points.mirrored(s).direction, &mut out[0], start);
@@ -119,5 +148,45 @@ mod tests {
             }
         }
         assert!(totally > 0, "some are reflected totally");
+    }
+
+    /// Points moved off along n, each by its own reach.
+    struct MoveOff<'a>(&'a [Column; 3], &'a [Column; 3], &'a Column);
+
+    impl Kernel for MoveOff<'_> {
+        type Output = [Column; 3];
+        #[inline(always)]
+        fn run<S: Simd>(self, s: S) -> [Column; 3] {
+            let mut out = [[0.0; BLOCK]; 3];
+            for start in (0..BLOCK).step_by(S::LANES) {
+                let (p, n) = (load3(s, self.0, start), load3(s, self.1, start));
+                store3(s, &offset(s, &p, &n, s.load(&self.2[start..])), &mut out, start);
+            }
+            out
+        }
+    }
+
+    #[test]
+    fn lanes_move_origins_to_the_same_bits() {
+        let number = |i: u32| 2.0 * hash::unit(hash::mix(i)) - 1.0;
+        for round in 0..100_u32 {
+            let (mut p, mut n, mut reach) = ([[0.0; BLOCK]; 3], [[0.0; BLOCK]; 3], [0.0_f32; BLOCK]);
+            for lane in 0..BLOCK {
+                let i = 7 * (round * BLOCK as u32 + lane as u32);
+                let normal = Vec3::new(number(i), number(i + 1), number(i + 2)).normalize();
+                for k in 0..3 {
+                    (p[k][lane], n[k][lane]) = (number(i + 3 + k as u32), normal[k]);
+                    reach[lane] = reach[lane].max(p[k][lane].abs());
+                }
+                reach[lane] *= if lane % 2 == 0 { 1.0 } else { 1.0 + number(i + 6).abs() };
+            }
+            for set in Instructions::available() {
+                let moved = set.run(MoveOff(&p, &n, &reach));
+                for lane in 0..BLOCK {
+                    let at = |v: &[Column; 3]| Vec3::new(v[0][lane], v[1][lane], v[2][lane]);
+                    assert_eq!(at(&moved), vitrine_math::offset_origin(at(&p), at(&n), reach[lane]));
+                }
+            }
+        }
     }
 }

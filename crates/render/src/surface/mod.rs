@@ -9,16 +9,12 @@ mod other;
 pub use field::NormalField;
 pub use look::Look;
 
-use crate::accel::packet::{along3, load3, scale3, sub3};
+use crate::accel::packet::{along3, load3};
 use crate::accel::simd::Simd;
 use crate::accel::{BLOCK, HitBlock, RayBlock};
 use crate::compile::CompiledScene;
 use field::Fields;
 use other::Arrival;
-
-/// How far rays start from the surface that they leave, as a part of the largest number that took part in finding it: some
-/// times what rounding can move, and far less than can be seen.
-pub const LIFT: f32 = 16.0 * f32::EPSILON;
 
 /// Points of surfaces in lanes, each seen along a ray.
 #[derive(Clone, Copy)]
@@ -33,22 +29,8 @@ pub struct Points<S: Simd> {
     pub wo: [S::F; 3],
     /// Where the viewer is on the outer side.
     pub is_outside: S::M,
-    /// How far from the surface rays start that leave it.
-    pub lift: S::F,
-}
-
-impl<S: Simd> Points<S> {
-    /// Where rays start that leave on the viewer's side.
-    #[inline(always)]
-    pub fn origin(&self, s: S) -> [S::F; 3] {
-        along3(s, &self.p, &self.n, self.lift)
-    }
-
-    /// Where rays start that leave on the other side.
-    #[inline(always)]
-    pub fn origin_beyond(&self, s: S) -> [S::F; 3] {
-        sub3(s, &self.p, &scale3(s, &self.n, self.lift))
-    }
+    /// The largest number that took part in finding the point. Rounding is a part of it.
+    pub reach: S::F,
 }
 
 /// What is hit in lanes: where, and what it is made of. Lanes without a hit mean nothing.

@@ -1,7 +1,7 @@
 //! Points and normals of forms that need more than the one formula of [`NormalField`](super::NormalField): boxes, ellipsoids
 //! and meshes, in the lanes that hit the same thing.
 
-use super::{HitLanes, LIFT, Points, lanes_of};
+use super::{HitLanes, Points, lanes_of};
 use crate::accel::packet::{along3, cross, dot, load3, moved, scale3, select3, splat3, sub3, turned, unit3};
 use crate::accel::simd::Simd;
 use crate::accel::{BLOCK, Column};
@@ -47,7 +47,7 @@ impl CompiledScene {
             points.p = select3(s, same, &seen.p, &points.p);
             points.n = select3(s, same, &seen.n, &points.n);
             points.ns = select3(s, same, &seen.ns, &points.ns);
-            points.lift = s.select(same, seen.lift, points.lift);
+            points.reach = s.select(same, seen.reach, points.reach);
             points.is_outside = s.or(s.and(same, seen.is_outside), s.and_not(points.is_outside, same));
             left &= !s.bits(same);
         }
@@ -66,8 +66,8 @@ impl<S: Simd> Outward<S> {
         let ns = scale3(s, &self.smooth, s.select(same_side, one, s.splat(-1.0)));
         // A smooth normal that the viewer sees from behind would turn the shading inside out.
         let ns = select3(s, s.lt(zero, dot(s, &ns, &wo)), &ns, &n);
-        let largest = s.max(s.max(s.abs(p[0]), s.abs(p[1])), s.max(s.abs(p[2]), s.splat(reach)));
-        Points { p, n, ns, wo, is_outside, lift: s.mul(largest, s.splat(LIFT)) }
+        let reach = s.max(s.max(s.abs(p[0]), s.abs(p[1])), s.max(s.abs(p[2]), s.splat(reach)));
+        Points { p, n, ns, wo, is_outside, reach }
     }
 }
 
