@@ -18,8 +18,8 @@ impl Accel {
     /// mesh's triangles. A hit that rounding puts before the box that holds it counts as at the box. So a hit never depends on
     /// the way through the tree or on the rays beside it: a box is passed over only when all in it is farther.
     pub fn closest(&self, rays: &RayStream, hits: &mut HitStream) {
-        hits.blocks.resize(rays.blocks.len(), HitBlock::EMPTY);
-        self.instructions.run(Closest { accel: self, rays: &rays.blocks, hits: &mut hits.blocks });
+        hits.blocks.resize(rays.blocks().len(), HitBlock::EMPTY);
+        self.instructions.run(Closest { accel: self, rays: rays.blocks(), hits: &mut hits.blocks });
     }
 
     /// The same for rays each on its own, which is faster where neighbours go different ways. One place in `hits` for each

@@ -15,8 +15,8 @@ impl Accel {
     /// Whether each ray meets a surface at `0 < t < t_max`. One answer a ray.
     pub fn occluded(&self, rays: &RayStream, answers: &mut Vec<bool>) {
         answers.clear();
-        answers.resize(rays.blocks.len() * BLOCK, false);
-        self.instructions.run(Occluded { accel: self, rays: &rays.blocks, answers });
+        answers.resize(rays.blocks().len() * BLOCK, false);
+        self.instructions.run(Occluded { accel: self, rays: rays.blocks(), answers });
         answers.truncate(rays.len());
     }
 

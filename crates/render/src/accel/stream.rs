@@ -54,7 +54,8 @@ impl RayBlock {
 /// floor, are both met.
 #[derive(Debug, Default)]
 pub struct RayStream {
-    pub(super) blocks: Vec<RayBlock>,
+    /// As many as there ever were; those behind the last ray mean nothing.
+    places: Vec<RayBlock>,
     len: usize,
 }
 
@@ -73,16 +74,18 @@ impl RayStream {
 
     /// Takes all rays out.
     pub fn clear(&mut self) {
-        self.blocks.clear();
         self.len = 0;
     }
 
     /// Makes places for so many rays in all. The caller writes what is new, to the end of the last block.
     #[inline(always)]
     pub(crate) fn resize(&mut self, len: usize) -> &mut [RayBlock] {
-        self.blocks.resize(len.div_ceil(BLOCK), RayBlock::EMPTY);
+        let blocks = len.div_ceil(BLOCK);
+        if self.places.len() < blocks {
+            self.places.resize(blocks, RayBlock::EMPTY);
+        }
         self.len = len;
-        &mut self.blocks
+        &mut self.places[..blocks]
     }
 
     /// Adds a ray that starts at its origin.
@@ -100,11 +103,10 @@ impl RayStream {
     #[inline(always)]
     fn push_after(&mut self, ray: &Ray, t: f32, primitive: u32, triangle: u32) {
         let lane = self.len % BLOCK;
+        let Some(block) = self.resize(self.len + 1).last_mut() else { return };
         if lane == 0 {
-            self.blocks.push(RayBlock::EMPTY);
+            *block = RayBlock::EMPTY;
         }
-        self.len += 1;
-        let Some(block) = self.blocks.last_mut() else { return };
         for k in 0..3 {
             block.origin[k][lane] = ray.origin[k];
             block.direction[k][lane] = ray.direction[k];
@@ -118,7 +120,7 @@ impl RayStream {
     /// The rays in blocks.
     #[inline(always)]
     pub(crate) fn blocks(&self) -> &[RayBlock] {
-        &self.blocks
+        &self.places[..self.len.div_ceil(BLOCK)]
     }
 
     /// A ray.
@@ -128,7 +130,7 @@ impl RayStream {
     #[inline(always)]
     #[must_use]
     pub fn get(&self, i: usize) -> Ray {
-        self.blocks[i / BLOCK].get(i % BLOCK)
+        self.blocks()[i / BLOCK].get(i % BLOCK)
     }
 }
 

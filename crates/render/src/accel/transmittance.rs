@@ -15,8 +15,8 @@ impl Accel {
     /// opaque, 1 when there is none. Rays go straight on. One number a ray; places beyond the last ray mean nothing.
     pub fn transmittance(&self, rays: &RayStream, passes: &mut Vec<f32>) {
         passes.clear();
-        passes.resize(rays.blocks.len() * BLOCK, 0.0);
-        self.instructions.run(Transmittance { accel: self, rays: &rays.blocks, passes });
+        passes.resize(rays.blocks().len() * BLOCK, 0.0);
+        self.instructions.run(Transmittance { accel: self, rays: rays.blocks(), passes });
     }
 
     /// The same for rays in lanes, inside a kernel. Lanes with `t_max ≤ 0` shoot no ray; their result means nothing.

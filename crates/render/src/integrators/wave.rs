@@ -146,6 +146,7 @@ pub struct RayLanes<S: Simd> {
 #[derive(Debug, Default)]
 pub struct Wave {
     rays: RayStream,
+    /// As many blocks as there ever were rays for.
     errands: Vec<ErrandBlock>,
 }
 
@@ -159,13 +160,12 @@ impl Wave {
     /// What they carry.
     #[inline(always)]
     pub fn errands(&self) -> &[ErrandBlock] {
-        &self.errands
+        &self.errands[..self.rays.blocks().len()]
     }
 
     /// Takes all rays out.
     pub fn clear(&mut self) {
         self.rays.clear();
-        self.errands.clear();
     }
 
     /// Adds the chosen lanes.
@@ -179,7 +179,10 @@ impl Wave {
         let [t, primitive, triangle] = lanes.start;
         let rays = [ox, oy, oz, dx, dy, dz, lanes.t_max, t, primitive, triangle];
         joining.write(s, &rays, self.rays.resize(joining.end()));
-        self.errands.resize(joining.end().div_ceil(BLOCK), ErrandBlock::EMPTY);
+        let blocks = self.rays.blocks().len();
+        if self.errands.len() < blocks {
+            self.errands.resize(blocks, ErrandBlock::EMPTY);
+        }
         let errands = [lanes.pixel, lanes.weight, lanes.reflections, lanes.crossings];
         joining.write(s, &errands, &mut self.errands);
     }
