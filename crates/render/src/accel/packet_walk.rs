@@ -15,6 +15,8 @@ use super::tree::{Node, WIDTH};
 /// What it costs to test a box against sixteen rays, and a node with its eight boxes against one ray.
 const BOX_COST: usize = 3;
 const NODE_COST: usize = 4;
+/// In smaller trees rays stay together whatever they do: there is little to be missed.
+const SMALL: usize = 24;
 
 /// A child that the packet may meet: a node and a place in it.
 #[derive(Clone, Copy)]
@@ -37,7 +39,8 @@ where
     }
     let mut lanes = s.bits(active);
     let beam = Beam::new(s, packet, active, level.receive().t_min(s));
-    if beam.is_scattered() {
+    let is_small = nodes.len() <= SMALL;
+    if beam.is_scattered() && !is_small {
         s.call(Alone { s, nodes, packet, level, lanes, root: 0 });
         return;
     }
@@ -48,7 +51,7 @@ where
         let t_max = greatest(s, level.receive().t_max(s), level.receive().active(s));
         let (bits, near) = beam.meets_children(s.eight(), &nodes[node as usize], t_max);
         let (boxes, rays) = (bits.count_ones() as usize, lanes.count_ones() as usize);
-        if (boxes + 1) * BOX_COST * S::LANES > rays * NODE_COST * 16 {
+        if !is_small && (boxes + 1) * BOX_COST * S::LANES > rays * NODE_COST * 16 {
             s.call(Alone { s, nodes, packet, level, lanes, root: node });
             if !s.any(level.receive().active(s)) {
                 return;

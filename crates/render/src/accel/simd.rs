@@ -103,10 +103,7 @@ pub trait Simd: Copy {
     /// The same with another value in one lane.
     #[inline(always)]
     fn with_lane(self, v: Self::F, lane: usize, value: f32) -> Self::F {
-        let mut lanes = [0.0; 16];
-        self.store(v, &mut lanes);
-        lanes[lane % 16] = value;
-        self.load(&lanes)
+        self.select(self.only(lane), self.splat(value), v)
     }
 
     /// One lane alone.
