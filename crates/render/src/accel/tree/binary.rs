@@ -1,7 +1,9 @@
 //! The binary tree, by the surface area heuristic over bins.
 
 use super::SAH_LEVELS;
+use super::cut::Cut;
 use super::item::{Item, Leaves, Span};
+use super::sorted;
 use std::ops::Range;
 use vitrine_math::Vec4;
 
@@ -19,6 +21,8 @@ const FORK: usize = 8192;
 pub struct Branch {
     pub bounds: Span,
     pub content: Content,
+    /// How it is best cut into children of nodes.
+    pub cut: Cut,
 }
 
 /// What a part of the tree is.
@@ -60,7 +64,7 @@ impl<'a> Run<'a> {
         let (bounds, count) = (self.bounds, self.items.len());
         let range = self.first..self.first + count;
         match self.split(leaves) {
-            None => Branch { bounds, content: Content::Leaf(range) },
+            None => Branch { bounds, content: Content::Leaf(range), cut: Cut::LEAF },
             Some([left, right]) => {
                 let children = if count > FORK {
                     let (left, right) = rayon::join(|| left.branch(leaves), || right.branch(leaves));
@@ -68,7 +72,8 @@ impl<'a> Run<'a> {
                 } else {
                     [left.branch(leaves), right.branch(leaves)]
                 };
-                Branch { bounds, content: Content::Inner(Box::new(children)) }
+                let cut = Cut::new(bounds.half_area(), [&children[0].cut, &children[1].cut]);
+                Branch { bounds, content: Content::Inner(Box::new(children)), cut }
             }
         }
     }
@@ -79,6 +84,10 @@ impl<'a> Run<'a> {
         let may_be_leaf = !self.is_mixed && leaves.fits(kind, self.items.len());
         if self.items.len() == 1 {
             return None;
+        }
+        if !may_be_leaf && self.items.len() <= sorted::LONGEST && !self.is_mixed && leaves.is_block(kind) {
+            let middle = sorted::split(self.items);
+            return Some(self.measured_halves(middle));
         }
         let best = if self.depth < SAH_LEVELS { Bins::new(&self, leaves).best_split() } else { None };
         if let Some(best) = best {

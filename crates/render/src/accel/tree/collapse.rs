@@ -1,4 +1,4 @@
-//! From the binary tree to nodes of eight: the largest child is opened until the node is full.
+//! From the binary tree to nodes of eight.
 
 use super::binary::{Branch, Content};
 use super::item::Item;
@@ -14,8 +14,8 @@ pub fn collapse(root: &Branch, items: &[Item], leaf: &mut dyn FnMut(u8, &[Item])
             all.nodes.push(Node::EMPTY);
             all.nodes[0].put(0, &root.bounds, child);
         }
-        Content::Inner(children) => {
-            all.node(children);
+        Content::Inner(_) => {
+            all.node(root);
         }
     }
     huge::settled(&all.nodes)
@@ -29,25 +29,15 @@ struct Collapse<'a> {
 
 impl Collapse<'_> {
     /// Adds a node and all below it; gives its index.
-    fn node(&mut self, children: &[Branch; 2]) -> u32 {
+    fn node(&mut self, branch: &Branch) -> u32 {
         let index = self.nodes.len();
         self.nodes.push(Node::EMPTY);
-        let mut open: Vec<&Branch> = Vec::with_capacity(WIDTH);
-        open.extend(children);
-        while open.len() < WIDTH {
-            let mut largest: Option<(f32, usize)> = None;
-            for (place, branch) in open.iter().enumerate() {
-                let area = branch.bounds.half_area();
-                if matches!(branch.content, Content::Inner(_)) && largest.is_none_or(|(a, _)| area > a) {
-                    largest = Some((area, place));
-                }
-            }
-            let Some((_, place)) = largest else { break };
-            let Content::Inner(children) = &open[place].content else { break };
-            open[place] = &children[0];
-            open.insert(place + 1, &children[1]);
-        }
-        for (place, branch) in open.into_iter().enumerate() {
+        let Content::Inner(halves) = &branch.content else { return index as u32 };
+        let mut children = Vec::with_capacity(WIDTH);
+        let first = branch.cut.as_node();
+        gather(&halves[0], first, &mut children);
+        gather(&halves[1], WIDTH - first, &mut children);
+        for (place, branch) in children.into_iter().enumerate() {
             let child = self.child(branch);
             self.nodes[index].put(place, &branch.bounds, child);
         }
@@ -61,7 +51,18 @@ impl Collapse<'_> {
                 let kind = items[0].kind();
                 Child::leaf((self.leaf)(kind, items), items.len() as u32, kind)
             }
-            Content::Inner(children) => Child::node(self.node(children)),
+            Content::Inner(_) => Child::node(self.node(branch)),
         }
+    }
+}
+
+/// The children of a node that a part of the tree becomes, so many at most.
+fn gather<'a>(branch: &'a Branch, most: usize, children: &mut Vec<&'a Branch>) {
+    match (&branch.content, branch.cut.first_share(most)) {
+        (Content::Inner(halves), Some((first, second))) => {
+            gather(&halves[0], first, children);
+            gather(&halves[1], second, children);
+        }
+        _ => children.push(branch),
     }
 }

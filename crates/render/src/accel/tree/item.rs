@@ -96,6 +96,12 @@ impl Leaves {
         8 / u32::from(self.most[usize::from(kind) % Self::KINDS].max(1))
     }
 
+    /// Whether items of a kind stand in blocks, which cost the same full or not.
+    #[inline(always)]
+    pub(super) fn is_block(&self, kind: u8) -> bool {
+        self.most[usize::from(kind) % Self::KINDS] == 8
+    }
+
     /// Whether so many items of a kind may be a leaf.
     #[inline(always)]
     pub(super) fn fits(&self, kind: u8, count: usize) -> bool {

@@ -5,8 +5,10 @@
 
 mod binary;
 mod collapse;
+mod cut;
 mod item;
 mod node;
+mod sorted;
 mod validate;
 
 pub use item::{Item, Leaves};
