@@ -18,8 +18,9 @@ pub use validate::TreeFlaw;
 /// Levels of splits by surface area before the builder halves instead, which ends after 32 levels for any number of items
 /// that fits 32 bits.
 const SAH_LEVELS: usize = 48;
-/// The deepest binary tree, with room for leaves split by kind. The tree of eight boxes a node is no deeper.
-const MAX_DEPTH: usize = SAH_LEVELS + 32 + 8;
+/// The deepest binary tree, with room for runs that give off a block at a time at their end and for leaves split by kind. The
+/// tree of eight boxes a node is no deeper.
+const MAX_DEPTH: usize = SAH_LEVELS + 32 + sorted::LONGEST / WIDTH + 8;
 /// How many boxes a walk may have to remember: seven of each node on its way.
 pub const STACK: usize = MAX_DEPTH * (WIDTH - 1) + 1;
 
