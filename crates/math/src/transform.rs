@@ -101,7 +101,11 @@ impl Transform {
     /// A normal of object space in world space, of unit length: by the inverse transpose.
     #[must_use]
     pub fn normal(&self, n: Vec3) -> Vec3 {
-        (self.object_from_world.matrix3.transpose() * glam::Vec3A::from(n)).normalize().into()
+        let across = self.object_from_world.matrix3.transpose() * glam::Vec3A::from(n);
+        let largest = across.abs().max_element();
+        // Squares of numbers much smaller than this would not be there.
+        let across = if largest < 1e-15 { across / largest } else { across };
+        across.normalize().into()
     }
 
     /// The box in world space around a box of object space.
@@ -167,6 +171,15 @@ mod tests {
         let t = Transform::from_place(Vec3::ZERO, Vec3::new(0.0, 30.0, 0.0), Vec3::new(1.0, 4.0, 1.0));
         let (tangent, normal) = (Vec3::new(1.0, 1.0, 0.0), Vec3::new(1.0, -1.0, 0.0));
         assert!(t.vector(tangent).dot(t.normal(normal)).abs() < 1e-6);
+    }
+
+    #[test]
+    fn normals_have_a_length_at_any_scale() {
+        for scale in [1e-18_f32, 1e-9, 1e9, 1e18, 1e25, 3e38] {
+            let t =
+                Transform::from_place(Vec3::ZERO, Vec3::new(20.0, 30.0, 40.0), Vec3::new(1.0, scale, -2.0));
+            assert!(t.normal(Vec3::Y).is_normalized(), "{scale:e}");
+        }
     }
 
     #[test]

@@ -40,6 +40,14 @@ pub enum CompileError {
         /// The object.
         object: String,
     },
+    /// A model that makes no sense.
+    #[error("the model of the object `{object}` cannot be used: {flaw}")]
+    BadModel {
+        /// The object.
+        object: String,
+        /// What is wrong with the model.
+        flaw: ModelFlaw,
+    },
     /// More triangles than an index can count.
     #[error("the model of the object `{object}` has too many triangles ({triangles})")]
     TooManyTriangles {
@@ -47,6 +55,32 @@ pub enum CompileError {
         object: String,
         /// How many.
         triangles: usize,
+    },
+}
+
+/// What can be wrong with a model. Models that have been read from files have none of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum ModelFlaw {
+    /// A coordinate is infinite or no number.
+    #[error("a vertex is at no finite place")]
+    Position,
+    /// Normals that are no numbers, or not one for each vertex.
+    #[error("its normals are not finite or not one for each vertex")]
+    Normals,
+    /// Coordinates for pictures that are no numbers, or not one pair for each vertex.
+    #[error("its texture coordinates are not finite or not one pair for each vertex")]
+    Uvs,
+    /// A corner that is none of the vertices.
+    #[error("triangle {triangle} has a corner that is no vertex")]
+    Corner {
+        /// The triangle, counted from 0.
+        triangle: usize,
+    },
+    /// A part with triangles or a material that the model does not have.
+    #[error("part {part} has triangles or a material that the model does not have")]
+    Part {
+        /// The part, counted from 0.
+        part: usize,
     },
 }
 

@@ -12,5 +12,5 @@ mod samplers;
 mod surface;
 
 pub use compile::{CompiledScene, compile};
-pub use error::{CompileError, RenderError};
+pub use error::{CompileError, ModelFlaw, RenderError};
 pub use job::{Cancel, Progress, RenderJob, RenderOptions, Rendered};

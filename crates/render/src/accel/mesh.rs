@@ -14,6 +14,8 @@ pub struct MeshAccel {
     /// Which material slot each triangle has, by its index in the model; empty when all have slot 0.
     slots: Vec<u16>,
     bounds: Bounds3,
+    /// How many triangles the model has.
+    pub(super) triangles: usize,
 }
 
 impl MeshAccel {
@@ -43,7 +45,7 @@ impl MeshAccel {
         let mut blocks = huge::with_capacity(contents.len());
         blocks.par_extend(contents.par_iter().map(block));
         let bounds = Bounds3::around(positions.iter().copied());
-        Self { tree, blocks, slots, bounds }
+        Self { tree, blocks, slots, bounds, triangles: triangles.len() }
     }
 
     /// The box around all positions, in the mesh's own space.

@@ -21,11 +21,13 @@ mod stack;
 mod stream;
 mod transmittance;
 pub mod tree;
+mod validate;
 
 pub use packet::Packet;
 pub use stream::{BLOCK, Column, Hit, HitBlock, HitStream, NOTHING, RayBlock, RayStream};
 
 pub use mesh::MeshAccel;
+pub use validate::AccelFlaw;
 
 use primitives::cuboid::Unit;
 use primitives::plane::Plane;

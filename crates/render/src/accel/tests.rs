@@ -5,31 +5,31 @@ use crate::accel::tree::{Node, WIDTH};
 use vitrine_math::{Mat3, Ray, Vec3, hash};
 
 /// Numbers from −1 to 1.
-struct Numbers(u32);
+pub(super) struct Numbers(pub u32);
 
 impl Numbers {
-    fn next(&mut self) -> f32 {
+    pub fn next(&mut self) -> f32 {
         self.0 += 1;
         2.0 * hash::unit(hash::mix(self.0)) - 1.0
     }
 
-    fn vector(&mut self) -> Vec3 {
+    pub fn vector(&mut self) -> Vec3 {
         Vec3::new(self.next(), self.next(), self.next())
     }
 }
 
-fn around(center: Vec3, radius: f32) -> Bounds3 {
+pub(super) fn around(center: Vec3, radius: f32) -> Bounds3 {
     Bounds3 { min: center - Vec3::splat(radius), max: center + Vec3::splat(radius) }
 }
 
 /// A mesh of triangles that share no corners.
-fn mesh(corners: &[[Vec3; 3]], slots: Vec<u16>) -> MeshAccel {
+pub(super) fn mesh(corners: &[[Vec3; 3]], slots: Vec<u16>) -> MeshAccel {
     let triangles: Vec<_> = (0..corners.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
     MeshAccel::new(corners.as_flattened(), &triangles, slots)
 }
 
 /// A bit of everything; transparencies 0, 0.25 and 0.5 so that products are exact in any order.
-fn scene(seed: u32) -> Accel {
+pub(super) fn scene(seed: u32) -> Accel {
     let mut numbers = Numbers(seed.wrapping_mul(7919));
     let mut p = Primitives::default();
     let id = |p: &mut Primitives| {

@@ -2,13 +2,13 @@
 
 use super::limits::{is_near_enough, is_wide_enough};
 use super::materials::MaterialTable;
+use super::models::Models;
 use super::touching::drawn_back;
 use crate::accel::primitives::cuboid::Unit;
 use crate::accel::primitives::plane::Plane;
 use crate::accel::primitives::sphere::Sphere;
 use crate::accel::{Instance, MaterialSlots, MeshAccel, Primitives};
 use crate::error::CompileError;
-use std::collections::HashMap;
 use std::sync::Arc;
 use vitrine_math::{Bounds3, Transform, Vec3};
 use vitrine_scene::{Assets, Geometry, Object, Scene, TriangleMesh};
@@ -73,6 +73,22 @@ pub enum Form {
     },
 }
 
+impl Primitive {
+    /// The box around a form that has a space of its own, as the tree was told it; None for other forms.
+    pub fn outline(&self) -> Option<Bounds3> {
+        match &self.form {
+            Form::Box { unit } | Form::Ellipsoid { unit } => Some(unit_bounds(unit)),
+            Form::Mesh { bounds, .. } => Some(self.transform.bounds(bounds)),
+            Form::Sphere { .. } | Form::Plane { .. } | Form::Triangle { .. } => None,
+        }
+    }
+
+    /// Whether it is a model without any corner.
+    pub fn is_nothing(&self) -> bool {
+        matches!(&self.form, Form::Mesh { bounds, .. } if bounds.is_empty())
+    }
+}
+
 /// All primitives of a scene.
 #[derive(Default)]
 pub struct Collection {
@@ -80,9 +96,7 @@ pub struct Collection {
     pub primitives: Vec<Primitive>,
     pub bounds: Bounds3,
     pub triangles: usize,
-    pub mesh_memory: usize,
-    /// Trees by model, so that objects of one model share one. The key is the model's address, which the value keeps alive.
-    meshes: HashMap<*const TriangleMesh, (Arc<TriangleMesh>, Arc<MeshAccel>)>,
+    pub models: Models,
 }
 
 /// Collects what is seen.
@@ -133,10 +147,13 @@ impl Collection {
             Geometry::Box { half } => self.cuboid(half, transform),
             Geometry::Plane => self.plane(transform),
             Geometry::Triangle { points, uvs } => self.triangle(points.map(|p| transform.point(p)), uvs),
-            Geometry::Mesh(mesh) => self.mesh(object, mesh, transform)?,
+            Geometry::Mesh(mesh) => {
+                let accel = self.models.tree(&object.name, &mesh)?;
+                self.mesh(mesh, accel, transform)
+            }
         };
         let (is_near, is_wide) = match &form {
-            Form::Plane { point, .. } => (is_near_enough(&Bounds3::around([*point])), true),
+            Form::Plane { point, n } => (is_near_enough(&Bounds3::around([*point])) && n.is_finite(), true),
             Form::Box { unit } | Form::Ellipsoid { unit } => (true, is_wide_enough(unit)),
             Form::Sphere { .. } | Form::Triangle { .. } | Form::Mesh { .. } => (true, true),
         };
@@ -191,15 +208,11 @@ impl Collection {
 
     fn mesh(
         &mut self,
-        object: &Object,
         mesh: Arc<TriangleMesh>,
+        accel: Arc<MeshAccel>,
         transform: &Transform,
-    ) -> Result<(Form, Bounds3), CompileError> {
-        let own = mesh.bounds();
-        if !mesh.triangles.is_empty() && !is_near_enough(&own) {
-            return Err(CompileError::OutOfRange { object: object.name.clone() });
-        }
-        let accel = self.mesh_accel(object, &mesh)?;
+    ) -> (Form, Bounds3) {
+        let own = accel.bounds();
         let bounds = transform.bounds(&own);
         let primitive = self.next_id();
         let instance =
@@ -208,47 +221,20 @@ impl Collection {
             self.collected.instances.push((instance, bounds));
         }
         self.triangles += mesh.triangles.len();
-        Ok((Form::Mesh { mesh, accel, bounds: own }, bounds))
-    }
-
-    fn mesh_accel(
-        &mut self,
-        object: &Object,
-        mesh: &Arc<TriangleMesh>,
-    ) -> Result<Arc<MeshAccel>, CompileError> {
-        if let Some((_, accel)) = self.meshes.get(&Arc::as_ptr(mesh)) {
-            return Ok(accel.clone());
-        }
-        // Indices travel as the bits of floats, see `accel::NOTHING`.
-        if mesh.triangles.len() >= crate::accel::NOTHING as usize {
-            let triangles = mesh.triangles.len();
-            return Err(CompileError::TooManyTriangles { object: object.name.clone(), triangles });
-        }
-        let accel = Arc::new(MeshAccel::new(&mesh.positions, &mesh.triangles, slots(mesh)));
-        self.mesh_memory += accel.memory() + mesh.memory();
-        self.meshes.insert(Arc::as_ptr(mesh), (mesh.clone(), accel.clone()));
-        Ok(accel)
+        (Form::Mesh { mesh, accel, bounds: own }, bounds)
     }
 }
 
 /// A cube or ball of radius 1 stretched to that half size: its space, its record and its box.
 fn unit_form(half: Vec3, transform: &Transform, primitive: u32) -> (Transform, Unit, Bounds3) {
     let unit = transform.after(&Transform::from_place(Vec3::ZERO, Vec3::ZERO, half));
-    let bounds = unit.bounds(&Bounds3 { min: Vec3::NEG_ONE, max: Vec3::ONE });
+    let bounds = unit_bounds(&unit);
     (unit, Unit { unit_from_world: unit.object_from_world, primitive }, bounds)
 }
 
-/// Each triangle's material slot; empty when the model has no materials.
-fn slots(mesh: &TriangleMesh) -> Vec<u16> {
-    if mesh.materials.is_empty() {
-        return Vec::new();
-    }
-    let mut slots = vec![0; mesh.triangles.len()];
-    for part in &mesh.parts {
-        let slot = part.material.map_or(0, |m| u16::try_from(m + 1).unwrap_or(0));
-        slots[part.triangles.clone()].fill(slot);
-    }
-    slots
+/// The box around the cube from −1 to 1 of a space.
+fn unit_bounds(unit: &Transform) -> Bounds3 {
+    unit.bounds(&Bounds3 { min: Vec3::NEG_ONE, max: Vec3::ONE })
 }
 
 /// The unit normal of a triangle, counter-clockwise seen from its tip; any unit vector for one without area.

@@ -5,6 +5,7 @@ mod camera;
 mod geometry;
 mod limits;
 mod materials;
+mod models;
 mod touching;
 
 pub use camera::CompiledCamera;
@@ -13,8 +14,8 @@ pub use limits::FARTHEST;
 pub use materials::{CompiledMaterial, CompiledTexture};
 pub use touching::reach_of;
 
-use crate::accel::Accel;
 use crate::accel::simd::Instructions;
+use crate::accel::{Accel, AccelFlaw};
 use crate::error::CompileError;
 use crate::surface::NormalField;
 use vitrine_math::{Bounds3, Rgb};
@@ -76,7 +77,7 @@ pub fn compile(scene: &Scene, assets: &Assets) -> Result<CompiledScene, CompileE
         background: limits::dimmed(scene.settings.background),
         bounds: geometry.bounds,
         triangles: geometry.triangles,
-        mesh_memory: geometry.mesh_memory,
+        mesh_memory: geometry.models.memory,
     })
 }
 
@@ -99,10 +100,64 @@ impl CompiledScene {
         self.accel.memory() + self.mesh_memory + size_of_val(&*self.primitives)
     }
 
+    /// Checks everything that rays walk through, which compiling leaves right: trees, boxes, and that each primitive and each
+    /// triangle of a model can be found. It takes about as long as building the trees.
+    ///
+    /// # Errors
+    /// The first [`AccelFlaw`] that is found.
+    pub fn validate(&self) -> Result<(), AccelFlaw> {
+        let held = self.accel.validate_with(&|id| self.primitives.get(id as usize)?.outline())?;
+        let is_held = |place: usize| held.get(place).is_some_and(|held| *held);
+        let is_lost = |place: &usize| !is_held(*place) && !self.primitives[*place].is_nothing();
+        match (0..self.primitives.len()).find(is_lost) {
+            Some(place) => Err(AccelFlaw::Lost { primitive: place as u32 }),
+            None => Ok(()),
+        }
+    }
+
     /// The same scene traced with other instructions; the picture is the same bytes.
     #[must_use]
     pub fn with_instructions(mut self, instructions: Instructions) -> Self {
         self.accel = self.accel.with_instructions(instructions);
         self
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::accel::Primitives;
+    use crate::accel::tree::TreeFlaw;
+    use vitrine_math::Transform;
+    use vitrine_scene::shapes::Cuboid;
+    use vitrine_scene::{Object, Shape};
+
+    fn one_box() -> CompiledScene {
+        let shape = Shape::Box(Cuboid::default());
+        let object = Object { name: "box".into(), shape, ..Object::default() };
+        let scene = Scene { objects: vec![object], ..Scene::default() };
+        let compiled = compile(&scene, &Assets::default()).unwrap();
+        assert_eq!(compiled.validate(), Ok(()));
+        compiled
+    }
+
+    #[test]
+    fn a_form_that_reaches_out_of_its_box_in_the_tree_is_found() {
+        let mut compiled = one_box();
+        let Form::Box { unit } = &mut compiled.primitives[0].form else { panic!("a box stays one") };
+        *unit = unit.after(&Transform::from_place(
+            vitrine_math::Vec3::ZERO,
+            vitrine_math::Vec3::ZERO,
+            vitrine_math::Vec3::splat(1.000_01),
+        ));
+        let flaw = TreeFlaw::OutsideBox { node: 0, place: 0 };
+        assert_eq!(compiled.validate(), Err(AccelFlaw::Scene { flaw }));
+    }
+
+    #[test]
+    fn a_primitive_that_no_leaf_holds_is_found() {
+        let mut compiled = one_box();
+        compiled.accel = Accel::new(Primitives::default(), Vec::new());
+        assert_eq!(compiled.validate(), Err(AccelFlaw::Lost { primitive: 0 }));
     }
 }

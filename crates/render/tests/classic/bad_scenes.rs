@@ -4,7 +4,7 @@
 use crate::common::{GREEN, RED, Shot, assert_near, ball, cuboid, flat, glass, matte, plane, triangle, v};
 use crate::models;
 use vitrine_math::{Rgb, Vec3};
-use vitrine_render::{CompileError, compile};
+use vitrine_render::{CompileError, ModelFlaw, compile};
 use vitrine_scene::shapes::Mesh;
 use vitrine_scene::textures::PictureFile;
 use vitrine_scene::{Material, MeshMaterial, Shape, TextureSource, TriangleMesh};
@@ -57,6 +57,37 @@ fn names_that_the_scene_does_not_have_are_named_with_who_wants_them() {
     let mut shot = empty();
     shot.put(ball(1.0), Material { texture: Some("wood".into()), ..Material::default() });
     assert_eq!(error(&shot).to_string(), "`material 0` refers to `wood`, which the scene does not have");
+}
+
+#[test]
+fn models_that_make_no_sense_are_refused_by_name() {
+    let refused = |change: &dyn Fn(&mut TriangleMesh), transparency: f32| {
+        let mut shot = empty();
+        let mut mesh = models::square();
+        change(&mut mesh);
+        let shape = shot.model(mesh);
+        shot.put(shape, glass(RED, transparency)).name = "sail".into();
+        match error(&shot) {
+            CompileError::BadModel { object, flaw } if object == "sail" => flaw,
+            other => panic!("{other}"),
+        }
+    };
+    for number in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
+        for (vertex, axis) in (0..4).flat_map(|vertex| (0..3).map(move |axis| (vertex, axis))) {
+            for transparency in [0.0, 0.5] {
+                let flaw = refused(&|mesh| mesh.positions[vertex][axis] = number, transparency);
+                assert_eq!(flaw, ModelFlaw::Position);
+            }
+        }
+        let normals = |mesh: &mut TriangleMesh| mesh.normals = vec![v(0.0, number, 0.0); 4];
+        assert_eq!(refused(&normals, 0.0), ModelFlaw::Normals);
+        assert_eq!(refused(&|mesh| mesh.uvs[2].y = number, 0.0), ModelFlaw::Uvs);
+    }
+    assert_eq!(refused(&|mesh| mesh.normals = vec![Vec3::Y; 3], 0.0), ModelFlaw::Normals);
+    assert_eq!(refused(&|mesh| mesh.uvs.truncate(3), 0.0), ModelFlaw::Uvs);
+    assert_eq!(refused(&|mesh| mesh.triangles[1][2] = 4, 0.0), ModelFlaw::Corner { triangle: 1 });
+    assert_eq!(refused(&|mesh| mesh.parts[0].triangles.end = 3, 0.0), ModelFlaw::Part { part: 0 });
+    assert_eq!(refused(&|mesh| mesh.parts[0].material = Some(0), 0.0), ModelFlaw::Part { part: 0 });
 }
 
 #[test]

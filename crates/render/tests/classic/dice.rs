@@ -189,6 +189,7 @@ fn check(seed: u32, wild: Wild, objects: usize) -> bool {
         Err(CompileError::OutOfRange { .. } | CompileError::TooThin { .. }) => return false,
         Err(other) => panic!("{other}"),
     };
+    compiled.validate().unwrap_or_else(|flaw| panic!("{flaw} in {scene:#?}"));
     let options = || RenderOptions { settings: scene.settings.clone(), region: None };
     let picture = run(&compiled, options(), 1).film.image();
     for p in &picture.pixels {

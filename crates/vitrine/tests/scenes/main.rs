@@ -21,7 +21,8 @@ fn every_scene_is_read_without_a_word_and_can_be_rendered() {
         let project = load(&file);
         assert!(project.warnings().is_empty(), "{file}: {:?}", project.warnings());
         assert!(project.asset_warnings().is_empty(), "{file}: {:?}", project.asset_warnings());
-        vitrine::render::compile(&project.scene, &project.assets).unwrap();
+        let compiled = vitrine::render::compile(&project.scene, &project.assets).unwrap();
+        compiled.validate().unwrap_or_else(|flaw| panic!("{file}: {flaw}"));
     }
 }
 

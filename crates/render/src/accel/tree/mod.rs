@@ -13,7 +13,7 @@ mod validate;
 
 pub use item::{Item, Leaves};
 pub use node::{Child, Node, WIDTH};
-pub use validate::TreeFlaw;
+pub use validate::{LeafFound, TreeFlaw};
 
 /// Levels of splits by surface area before the builder halves instead, which ends after 32 levels for any number of items
 /// that fits 32 bits.

@@ -90,6 +90,11 @@ impl Node {
         }
     }
 
+    /// Whether a place is as it is without a child.
+    pub(super) fn is_vacant(&self, place: usize) -> bool {
+        self.bounds(place) == Bounds3::EMPTY && self.child(place) == Child { first: 0, tag: 0 }
+    }
+
     /// A child's box; empty where there is none.
     #[must_use]
     pub fn bounds(&self, place: usize) -> Bounds3 {

@@ -23,7 +23,7 @@ pub enum TreeFlaw {
         /// The place in the node.
         place: usize,
     },
-    /// A box with numbers that are none.
+    /// A box with numbers that are none, or a child in an empty place.
     #[error("place {place} of node {node} has no proper box")]
     BadBox {
         /// The node.
@@ -31,8 +31,10 @@ pub enum TreeFlaw {
         /// The place in the node.
         place: usize,
     },
-    /// A leaf that points at primitives that are not there, or at some that another leaf holds.
-    #[error("place {place} of node {node} holds primitives that are not there or are held twice")]
+    /// A leaf that points at primitives that are not there, at some that another leaf holds, or at numbers that are none.
+    #[error(
+        "place {place} of node {node} holds primitives that are not there, held twice, or no proper forms"
+    )]
     BadLeaf {
         /// The node.
         node: usize,
@@ -66,7 +68,7 @@ pub struct LeafFound {
 
 impl Tree {
     /// Checks that every node is reached once, that boxes hold what is below them, and that no walk is too deep. `leaf` tells
-    /// the box around a leaf's primitives, or None when they are not there or were met before.
+    /// the box around a leaf's primitives, an empty one where it does not know, or None when something is wrong with them.
     ///
     /// # Errors
     /// The first [`TreeFlaw`] that is found.
@@ -84,10 +86,10 @@ impl Tree {
             let node = &self.nodes[index];
             for place in 0..WIDTH {
                 let bounds = node.bounds(place);
-                if bounds.is_empty() {
+                if node.is_vacant(place) {
                     continue;
                 }
-                if !(bounds.min.is_finite() && bounds.max.is_finite()) {
+                if bounds.is_empty() || !(bounds.min.is_finite() && bounds.max.is_finite()) {
                     return Err(TreeFlaw::BadBox { node: index, place });
                 }
                 let child = node.child(place);
@@ -102,7 +104,8 @@ impl Tree {
                     todo.push((child, depth + 1));
                     around(&self.nodes[child])
                 };
-                if !(bounds.contains(below.min) && bounds.contains(below.max)) {
+                let holds = below.is_empty() || bounds.contains(below.min) && bounds.contains(below.max);
+                if !holds {
                     return Err(TreeFlaw::OutsideBox { node: index, place });
                 }
             }
