@@ -8,7 +8,7 @@ use super::primitives::{Span, plane};
 use super::rays::{Rays, Receive, Surface};
 use super::simd::{Kernel, Simd};
 use super::single::One;
-use super::stream::{BLOCK, Hit, HitBlock, HitStream, NOTHING, RayBlock, RayStream};
+use super::stream::{BLOCK, Column, Hit, HitBlock, HitStream, NOTHING, RayBlock, RayStream};
 use vitrine_math::Ray;
 
 impl Accel {
@@ -55,10 +55,20 @@ impl Kernel for Closest<'_> {
 
     #[inline(always)]
     fn run<S: Rays>(self, s: S) {
-        for (rays, hits) in self.rays.iter().zip(self.hits) {
-            for start in (0..BLOCK).step_by(S::LANES) {
-                let packet = Packet::load(s, rays, start);
-                self.accel.find(s, &packet, Nearest::load(s, rays, start)).store(s, hits, start);
+        let wide = s.wide();
+        for (rays, hits) in self.rays.chunks(2).zip(self.hits.chunks_mut(2)) {
+            if let (true, [a, b], [c, e]) = (self.accel.is_coarse, rays, &mut *hits) {
+                let o = load_both3(wide, [&a.origin, &b.origin]);
+                let d = load_both3(wide, [&a.direction, &b.direction]);
+                let nearest = Nearest::load_both(wide, [a, b]);
+                self.accel.find(wide, &Packet::new(wide, o, d), nearest).store_both(wide, [c, e]);
+                continue;
+            }
+            for (rays, hits) in rays.iter().zip(hits) {
+                for start in (0..BLOCK).step_by(S::LANES) {
+                    let packet = Packet::load(s, rays, start);
+                    self.accel.find(s, &packet, Nearest::load(s, rays, start)).store(s, hits, start);
+                }
             }
         }
     }
@@ -174,6 +184,51 @@ impl<S: Simd> Nearest<S> {
         s.store(self.u, &mut hits.u[start..]);
         s.store(self.v, &mut hits.v[start..]);
     }
+}
+
+/// The columns of two blocks, side by side.
+#[inline(always)]
+fn load_both<S: Simd>(s: S, [a, b]: [&Column; 2]) -> S::F {
+    let mut lanes = [0.0; 2 * BLOCK];
+    lanes[..BLOCK].copy_from_slice(a);
+    lanes[BLOCK..].copy_from_slice(b);
+    s.load(&lanes)
+}
+
+/// Three components of two blocks.
+#[inline(always)]
+fn load_both3<S: Simd>(s: S, [a, b]: [&[Column; 3]; 2]) -> [S::F; 3] {
+    [load_both(s, [&a[0], &b[0]]), load_both(s, [&a[1], &b[1]]), load_both(s, [&a[2], &b[2]])]
+}
+
+impl<S: Simd> Nearest<S> {
+    #[inline(always)]
+    fn load_both(s: S, [a, b]: [&RayBlock; 2]) -> Self {
+        Self {
+            start_t: load_both(s, [&a.start_t, &b.start_t]),
+            start_primitive: load_both(s, [&a.start_primitive, &b.start_primitive]),
+            start_triangle: load_both(s, [&a.start_triangle, &b.start_triangle]),
+            ..Self::new(s, load_both(s, [&a.t_max, &b.t_max]))
+        }
+    }
+
+    #[inline(always)]
+    fn store_both(&self, s: S, [c, d]: [&mut HitBlock; 2]) {
+        store_split(s, self.t, &mut c.t, &mut d.t);
+        store_split(s, self.primitive, &mut c.primitive, &mut d.primitive);
+        store_split(s, self.triangle, &mut c.triangle, &mut d.triangle);
+        store_split(s, self.u, &mut c.u, &mut d.u);
+        store_split(s, self.v, &mut c.v, &mut d.v);
+    }
+}
+
+/// Into the columns of two blocks.
+#[inline(always)]
+fn store_split<S: Simd>(s: S, v: S::F, a: &mut Column, b: &mut Column) {
+    let mut lanes = [0.0; 2 * BLOCK];
+    s.store(v, &mut lanes);
+    a.copy_from_slice(&lanes[..BLOCK]);
+    b.copy_from_slice(&lanes[BLOCK..]);
 }
 
 /// Whether one triangle of a primitive comes before another.

@@ -10,20 +10,30 @@ use super::rays::{Bundle, Level, Rays, Receive, SphereLeaf, TriangleLeaf};
 use super::simd::{Avx2, Avx512};
 use super::simd::{Portable, Simd};
 use super::tree::Node;
+use super::wide::Pair;
 
 /// So many rays are tested against a block one by one, more of them all at once against one triangle after the other.
 const FEW: u32 = 4;
+/// The most rays in a packet.
+const MOST_LANES: usize = 32;
 
 macro_rules! packets {
-    ($unit:ty, $eight:ty, |$s:ident| $token:expr) => {
+    ($unit:ty, $eight:ty, $wide:ty, |$s:ident| $token:expr, $wider:expr) => {
         impl Rays for $unit {
             type Eight = $eight;
             type Beam = Beam<$eight>;
+            type Wide = $wide;
 
             #[inline(always)]
             fn eight(self) -> $eight {
                 let $s = self;
                 $token
+            }
+
+            #[inline(always)]
+            fn wide(self) -> $wide {
+                let $s = self;
+                $wider
             }
 
             #[inline(always)]
@@ -56,14 +66,15 @@ macro_rules! packets {
     };
 }
 
-packets!(Portable, Self, |s| s);
+packets!(Portable, Self, Pair<Pair<Self>>, |s| s, Pair(Pair(s)));
 #[cfg(target_arch = "x86_64")]
-packets!(Avx2, Self, |s| s);
+packets!(Avx2, Self, Pair<Pair<Self>>, |s| s, Pair(Pair(s)));
 #[cfg(target_arch = "x86_64")]
-packets!(Avx512, Avx2, |s| s.narrow());
+packets!(Avx512, Avx2, Pair<Self>, |s| s.narrow(), Pair(s));
 
+/// Many rays, or few, against a block of triangles.
 #[inline(always)]
-fn triangles<S, R>(s: S, rays: &Bundle<S>, leaf: &TriangleLeaf, entry: Entry<S>, receive: &mut R)
+pub fn triangles<S, R>(s: S, rays: &Bundle<S>, leaf: &TriangleLeaf, entry: Entry<S>, receive: &mut R)
 where
     S: Rays<Beam = Beam<<S as Rays>::Eight>>,
     R: Receive<S>,
@@ -118,9 +129,9 @@ fn one_by_one<S: Rays, R: Receive<S>>(
     receive: &mut R,
 ) {
     let e = s.eight();
-    let mut o = [[0.0; 16]; 3];
-    let mut d = [[0.0; 16]; 3];
-    let mut inv = [[0.0; 16]; 3];
+    let mut o = [[0.0; MOST_LANES]; 3];
+    let mut d = [[0.0; MOST_LANES]; 3];
+    let mut inv = [[0.0; MOST_LANES]; 3];
     for k in 0..3 {
         s.store(packet.o[k], &mut o[k]);
         s.store(packet.d[k], &mut d[k]);
@@ -128,7 +139,7 @@ fn one_by_one<S: Rays, R: Receive<S>>(
     }
     let mut lanes = s.bits(entry.mask);
     while lanes != 0 {
-        let lane = lanes.trailing_zeros() as usize % 16;
+        let lane = lanes.trailing_zeros() as usize % MOST_LANES;
         lanes &= lanes - 1;
         let axis = fastest_axis([d[0][lane], d[1][lane], d[2][lane]]);
         let [x, y, z] = ORDER[axis];
@@ -151,8 +162,9 @@ fn one_by_one<S: Rays, R: Receive<S>>(
     }
 }
 
+/// Many rays against the balls of a block, one after the other.
 #[inline(always)]
-fn spheres<S: Rays, R: Receive<S>>(
+pub fn spheres<S: Rays, R: Receive<S>>(
     s: S,
     packet: &Packet<S>,
     leaf: &SphereLeaf,

@@ -22,6 +22,7 @@ mod stream;
 mod transmittance;
 pub mod tree;
 mod validate;
+mod wide;
 
 pub use packet::Packet;
 pub use stream::{BLOCK, Column, Hit, HitBlock, HitStream, NOTHING, RayBlock, RayStream};
@@ -46,6 +47,9 @@ mod leaf {
     pub const TRIANGLE: u8 = 3;
     pub const MESH: u8 = 4;
 }
+
+/// A mesh of more blocks of triangles is so fine that packets of 32 camera rays fall apart in it, and those of 16 are faster.
+const COARSE: usize = 100_000;
 
 /// How many of each kind a leaf holds: balls and triangles stand in blocks, the others cost more.
 const LEAVES: Leaves = Leaves { most: [2, 1, 1, 8, 1, 1, 1, 1] };
@@ -117,6 +121,8 @@ pub struct Accel {
     materials: Vec<MaterialSlots>,
     /// Each material's transparency, 0 to 1.
     transparencies: Vec<f32>,
+    /// Whether triangles are so large that many neighbouring rays meet the same.
+    is_coarse: bool,
     pub(crate) instructions: Instructions,
 }
 
@@ -136,6 +142,8 @@ impl Accel {
             .chain(items(leaf::ELLIPSOID, &p.ellipsoids))
             .chain(p.triangles.iter().enumerate().map(single))
             .chain(items(leaf::MESH, &p.instances));
+        let blocks = p.instances.iter().map(|(i, _)| i.mesh.blocks.len()).max().unwrap_or(0);
+        let is_coarse = blocks <= COARSE;
         let (mut spheres, mut triangles) = (Vec::new(), Vec::new());
         let (mut boxes, mut ellipsoids, mut instances) = (Vec::new(), Vec::new(), Vec::new());
         let tree = Tree::build(all.collect(), LEAVES, &mut |kind, items| {
@@ -164,6 +172,7 @@ impl Accel {
             planes: p.planes,
             materials: p.materials,
             transparencies,
+            is_coarse,
             instructions: Instructions::detect(),
         }
     }

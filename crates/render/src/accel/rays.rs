@@ -19,6 +19,11 @@ pub trait Rays: Simd {
     /// What is known of all rays together.
     type Beam;
 
+    /// Two or four packets as one of 32 rays.
+    type Wide: Rays;
+
+    /// Lanes for 32 rays; the same for single rays.
+    fn wide(self) -> Self::Wide;
     /// Eight lanes to test one ray against eight things.
     fn eight(self) -> Self::Eight;
 

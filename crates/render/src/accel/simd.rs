@@ -16,7 +16,7 @@ use vitrine_math::pow_unit;
 /// Comparisons with NaN are false. All functions must be inlined into one that has the instruction set switched on
 /// ([`Instructions::run`]); without that they are right and slow.
 pub trait Simd: Copy {
-    /// How many lanes there are, 16 at most.
+    /// How many lanes there are: 16 at most in a vector unit, 32 at most in all.
     const LANES: usize;
     /// A float in each lane.
     type F: Copy;

@@ -87,6 +87,12 @@ impl<E: Simd> Simd for One<E> {
 impl<E: Simd> Rays for One<E> {
     type Eight = E;
     type Beam = ();
+    type Wide = Self;
+
+    #[inline(always)]
+    fn wide(self) -> Self {
+        self
+    }
 
     #[inline(always)]
     fn eight(self) -> E {

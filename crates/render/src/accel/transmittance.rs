@@ -22,14 +22,32 @@ impl Accel {
     /// The same for rays in lanes, inside a kernel. Lanes with `t_max ≤ 0` shoot no ray; their result means nothing.
     #[inline(always)]
     pub fn packet_transmittance<S: Rays>(&self, s: S, packet: &Packet<S>, t_max: S::F) -> S::F {
+        // In a function of its own: its loops need all the registers.
+        s.call(PacketTransmittance { accel: self, s, packet, t_max })
+    }
+}
+
+struct PacketTransmittance<'a, S: Rays> {
+    accel: &'a Accel,
+    s: S,
+    packet: &'a Packet<S>,
+    t_max: S::F,
+}
+
+impl<S: Rays> Kernel for PacketTransmittance<'_, S> {
+    type Output = S::F;
+
+    #[inline(always)]
+    fn run<E: Rays>(self, _: E) -> S::F {
+        let Self { accel, s, packet, t_max } = self;
         let alive = s.lt(s.splat(0.0), t_max);
-        let mut receive = Light { accel: self, passes: s.splat(1.0), t_max, alive };
-        for p in &self.planes {
+        let mut receive = Light { accel, passes: s.splat(1.0), t_max, alive };
+        for p in &accel.planes {
             let t = plane::distance(s, packet, p);
-            receive.cross(s, receive.alive, t, self.transparency(p.primitive, 0));
+            receive.cross(s, receive.alive, t, accel.transparency(p.primitive, 0));
         }
-        let mut level = SceneLevel { accel: self, receive };
-        s.walk(&self.tree.nodes, packet, &mut level);
+        let mut level = SceneLevel { accel, receive };
+        s.walk(&accel.tree.nodes, packet, &mut level);
         level.receive.passes
     }
 }

@@ -55,6 +55,8 @@ fn all_instruction_sets_give_the_same_bits() {
     let b = [-0.0, 0.0, 3.0, -2.5, 1.0, i, 1.0, 1e-38, n, 1e30, 0.3, 0.2, -2.0, n, 0.0, 1.0];
     let results: Vec<_> =
         Instructions::available().into_iter().map(|set| set.run(Everything(&a, &b))).collect();
+    let pair = crate::accel::wide::Pair(Portable);
+    assert_eq!(Everything(&a, &b).run(pair), results[0], "two packets as one");
     for result in &results {
         assert_eq!(result, &results[0]);
     }
