@@ -1,4 +1,4 @@
-//! Large models: reading the OBJ file, building the tree, the first picture.
+//! Large models: reading the OBJ file, building the tree, moving an object, the first picture.
 //!
 //! `cargo bench --bench mesh`. Watch how the times grow from one size to the next: n log n is a little over ten times.
 
@@ -28,6 +28,20 @@ fn build_tree(bencher: Bencher, triangles: u32) {
     let scene = model(&path);
     let (assets, _) = load_assets(&scene, Path::new("")).expect("the model can be read");
     bencher.bench_local(|| compile(&scene, &assets).expect("the scene compiles"));
+}
+
+/// One object moved: no model is touched, so the time does not grow.
+#[divan::bench(args = TRIANGLES, sample_count = 100)]
+fn move_object(bencher: Bencher, triangles: u32) {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let path = write_bumpy_ball(folder.path(), triangles).expect("room for the model");
+    let mut scene = model(&path);
+    let (assets, _) = load_assets(&scene, Path::new("")).expect("the model can be read");
+    let compiled = compile(&scene, &assets).expect("the scene compiles");
+    bencher.bench_local(|| {
+        scene.objects[0].position.x += 0.01;
+        compiled.recompile(&scene, &assets).expect("the scene compiles")
+    });
 }
 
 #[divan::bench(args = TRIANGLES, sample_count = 5)]

@@ -98,6 +98,7 @@ fn body(out: &mut String, scene: &Scene, assets: &Assets, object: &Object) -> Re
         Some(_) => return Err("a texture on anything but a plane is not translated".into()),
     };
     let depth = scene.settings.depth;
+    let is_flat = matches!(geometry, Geometry::Facets(_));
     match geometry {
         Geometry::Sphere { radius } => sphere(out, radius, &place),
         Geometry::Box { half } => cuboid(out, half, &place),
@@ -109,7 +110,12 @@ fn body(out: &mut String, scene: &Scene, assets: &Assets, object: &Object) -> Re
             let [a, b, c] = points.map(|p| vector(place.point(p)));
             put!(out, "triangle {{ {a}, {b}, {c}");
         }
-        Geometry::Mesh(mesh) => {
+        Geometry::Mesh(mesh) | Geometry::Facets(mesh) => {
+            let mesh = if is_flat {
+                TriangleMesh { normals: Vec::new(), ..TriangleMesh::clone(&mesh) }.into()
+            } else {
+                mesh
+            };
             for part in &mesh.parts {
                 let own = part.material.and_then(|m| mesh.materials.get(m));
                 if material.is_none() && own.is_some_and(|m| m.picture.is_some()) {

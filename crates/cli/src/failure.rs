@@ -71,7 +71,9 @@ impl From<Error> for Failure {
                 Exit::Failed,
                 Report::error(error.to_string()).with_help("choose another name, or replace it with --force"),
             ),
-            Error::Compile(error) => Self::new(Exit::BadInput, Report::error(error.to_string())),
+            Error::Compile(error) => {
+                Self::new(Exit::BadInput, Report::error(error.to_string()).with_help(error.help()))
+            }
             Error::Folder { .. } => Self::new(Exit::Failed, Report::error(error.to_string())),
         }
     }

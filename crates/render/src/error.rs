@@ -48,6 +48,21 @@ pub enum CompileError {
         /// What is wrong with the model.
         flaw: ModelFlaw,
     },
+    /// A model whose tree would not fit into memory.
+    #[error(
+        "the model of the object `{object}` is too large: with {triangles} triangles it would bring the scene to {} of memory, and {} may be taken",
+        bytes(*needed), bytes(*allowed)
+    )]
+    TooMuchMemory {
+        /// The object.
+        object: String,
+        /// How many triangles the model has.
+        triangles: usize,
+        /// Bytes that the trees would take, those before it and this one while it is built.
+        needed: u64,
+        /// The most bytes that they may take.
+        allowed: u64,
+    },
     /// More triangles than an index can count.
     #[error("the model of the object `{object}` has too many triangles ({triangles})")]
     TooManyTriangles {
@@ -56,6 +71,29 @@ pub enum CompileError {
         /// How many.
         triangles: usize,
     },
+}
+
+impl CompileError {
+    /// What can be done about it; empty where the message says all.
+    #[must_use]
+    pub const fn help(&self) -> &'static str {
+        match self {
+            Self::MissingModel { .. } | Self::MissingPicture { .. } | Self::MissingName { .. } => "",
+            Self::OutOfRange { .. } => "lengths are in metres: make it smaller or bring it nearer",
+            Self::TooThin { .. } => "give it some thickness, or a scale that is not so close to 0",
+            Self::BadModel { .. } => "make the model anew; those read from files have no such faults",
+            Self::TooMuchMemory { .. } => {
+                "show fewer models or some with fewer triangles, or take a machine with more memory; objects that show the same file share its memory"
+            }
+            Self::TooManyTriangles { .. } => "divide it into several models",
+        }
+    }
+}
+
+/// So many bytes in words.
+fn bytes(count: u64) -> String {
+    let (unit, name) = if count < 1 << 30 { (1_u64 << 20, "MiB") } else { (1 << 30, "GiB") };
+    format!("{:.1} {name}", count as f64 / unit as f64)
 }
 
 /// What can be wrong with a model. Models that have been read from files have none of it.

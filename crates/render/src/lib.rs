@@ -11,6 +11,6 @@ mod job;
 mod samplers;
 mod surface;
 
-pub use compile::{CompiledScene, compile};
+pub use compile::{CompileOptions, CompiledScene, compile, compile_with, memory_limit};
 pub use error::{CompileError, ModelFlaw, RenderError};
 pub use job::{Cancel, Progress, RenderJob, RenderOptions, Rendered};

@@ -1,6 +1,22 @@
-//! Large arrays in large pages: a walk through a tree of many megabytes touches memory all over, and with small pages the
-//! processor spends much of the time looking up where they are.
+//! What the system is asked and told about memory: how much there is, and to keep large arrays in large pages. A walk through a
+//! tree of many megabytes touches memory all over, and with small pages the processor spends much of the time looking up
+//! where they are.
+//!
+//! One of the three files of the crate with `unsafe`, beside `simd` and `stack`: calls of the system, each harmless by itself.
 #![allow(unsafe_code)]
+
+/// Bytes of memory that the machine has; None where the system does not tell.
+pub fn machine_memory() -> Option<u64> {
+    #[cfg(all(target_os = "linux", not(miri)))]
+    {
+        // SAFETY: it reads two numbers of the system and no memory of ours.
+        let [pages, size] =
+            [libc::_SC_PHYS_PAGES, libc::_SC_PAGESIZE].map(|name| unsafe { libc::sysconf(name) });
+        u64::try_from(pages).ok()?.checked_mul(u64::try_from(size).ok()?).filter(|bytes| *bytes > 0)
+    }
+    #[cfg(not(all(target_os = "linux", not(miri))))]
+    None
+}
 
 /// Room for so many values. Where the system can, in pages of two megabytes.
 pub fn with_capacity<T>(count: usize) -> Vec<T> {

@@ -48,6 +48,16 @@ impl MeshAccel {
         Self { tree, blocks, slots, bounds, triangles: triangles.len() }
     }
 
+    /// About how many bytes building a tree over so many triangles takes at most, and the tree afterwards.
+    #[must_use]
+    pub const fn bytes_to_build(triangles: usize) -> u64 {
+        // An item of the builder is 32 bytes. Of the binary tree, the nodes and their copies, and later of the blocks with their
+        // nodes, some 54 bytes belong to each triangle; the rest is for leaves that are not full.
+        const EACH: u64 = 110;
+        const FEW: u64 = 4096;
+        EACH * triangles as u64 + FEW
+    }
+
     /// The box around all positions, in the mesh's own space.
     #[must_use]
     pub const fn bounds(&self) -> Bounds3 {

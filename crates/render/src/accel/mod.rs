@@ -6,7 +6,7 @@
 
 mod beam;
 mod closest;
-mod huge;
+pub(crate) mod huge;
 mod lanes;
 mod level;
 mod mesh;

@@ -70,6 +70,8 @@ pub enum Form {
         accel: Arc<MeshAccel>,
         /// Its box in its own space. Around its middle pictures are laid when it has no coordinates for them.
         bounds: Bounds3,
+        /// Whether the normals at the corners count.
+        is_smooth: bool,
     },
 }
 
@@ -104,14 +106,15 @@ pub fn collect(
     scene: &Scene,
     assets: &Assets,
     table: &mut MaterialTable,
+    models: Models,
 ) -> Result<Collection, CompileError> {
-    let mut all = Collection::default();
+    let mut all = Collection { models, ..Collection::default() };
     let places = scene.group_places();
     for object in scene.objects.iter().filter(|o| places.is_seen(o)) {
         let missing = || CompileError::MissingModel { object: object.name.clone() };
         let geometry = object.shape.as_kind().geometry(assets).ok_or_else(missing)?;
         let (materials, by_triangle) = match (&object.material, &geometry) {
-            (None, Geometry::Mesh(mesh)) if !mesh.materials.is_empty() => {
+            (None, Geometry::Mesh(mesh) | Geometry::Facets(mesh)) if !mesh.materials.is_empty() => {
                 (table.add_slots(mesh, assets)?, true)
             }
             (name, _) => {
@@ -122,7 +125,8 @@ pub fn collect(
         let material = materials.start;
         let transform = places.world_from_object(object);
         let (geometry, transform) = if table.is_any_transparent(materials) {
-            drawn_back(geometry, transform, all.next_id())
+            let bounds = all.box_of(&geometry, object)?;
+            drawn_back(geometry, transform, &bounds, all.next_id())
         } else {
             (geometry, transform)
         };
@@ -147,10 +151,8 @@ impl Collection {
             Geometry::Box { half } => self.cuboid(half, transform),
             Geometry::Plane => self.plane(transform),
             Geometry::Triangle { points, uvs } => self.triangle(points.map(|p| transform.point(p)), uvs),
-            Geometry::Mesh(mesh) => {
-                let accel = self.models.tree(&object.name, &mesh)?;
-                self.mesh(mesh, accel, transform)
-            }
+            Geometry::Mesh(mesh) => self.mesh(object, mesh, true, transform)?,
+            Geometry::Facets(mesh) => self.mesh(object, mesh, false, transform)?,
         };
         let (is_near, is_wide) = match &form {
             Form::Plane { point, n } => (is_near_enough(&Bounds3::around([*point])) && n.is_finite(), true),
@@ -206,12 +208,22 @@ impl Collection {
         (Form::Triangle { points, n: unit_normal(points), uvs }, bounds)
     }
 
+    /// The box around a model in its own space; empty for other forms.
+    fn box_of(&mut self, geometry: &Geometry, object: &Object) -> Result<Bounds3, CompileError> {
+        Ok(match geometry {
+            Geometry::Mesh(mesh) | Geometry::Facets(mesh) => self.models.tree(&object.name, mesh)?.bounds(),
+            _ => Bounds3::EMPTY,
+        })
+    }
+
     fn mesh(
         &mut self,
+        object: &Object,
         mesh: Arc<TriangleMesh>,
-        accel: Arc<MeshAccel>,
+        is_smooth: bool,
         transform: &Transform,
-    ) -> (Form, Bounds3) {
+    ) -> Result<(Form, Bounds3), CompileError> {
+        let accel = self.models.tree(&object.name, &mesh)?;
         let own = accel.bounds();
         let bounds = transform.bounds(&own);
         let primitive = self.next_id();
@@ -221,7 +233,7 @@ impl Collection {
             self.collected.instances.push((instance, bounds));
         }
         self.triangles += mesh.triangles.len();
-        (Form::Mesh { mesh, accel, bounds: own }, bounds)
+        Ok((Form::Mesh { mesh, accel, bounds: own, is_smooth }, bounds))
     }
 }
 

@@ -1,6 +1,7 @@
 //! What can be computed with in 32-bit floats. Every number that a scene may hold is finite; here those are refused or drawn in
 //! whose products would not be.
 
+use crate::accel::huge;
 use vitrine_math::{Bounds3, Rgb, Transform, Vec3};
 use vitrine_scene::lights::Emission;
 
@@ -12,6 +13,14 @@ const STEEPEST: f32 = 1e18;
 const LAMP_FARTHEST: f32 = 1e18;
 /// The brightest light and the brightest colour: their product, summed over all samples and thousands of lamps, is a number.
 const BRIGHTEST: f32 = 1e15;
+
+/// The most bytes that the trees over a scene's models may take where nothing else is said: half of the machine's memory, or 8 GiB
+/// where the system does not tell it. (What a container may take of its machine is not known here.)
+#[must_use]
+pub fn memory_limit() -> u64 {
+    const UNKNOWN: u64 = 16 << 30;
+    huge::machine_memory().unwrap_or(UNKNOWN) / 2
+}
 
 /// Whether a form in this box can be computed with.
 pub fn is_near_enough(bounds: &Bounds3) -> bool {

@@ -10,7 +10,7 @@ mod touching;
 
 pub use camera::CompiledCamera;
 pub use geometry::{Form, Primitive};
-pub use limits::FARTHEST;
+pub use limits::{FARTHEST, memory_limit};
 pub use materials::{CompiledMaterial, CompiledTexture};
 pub use touching::reach_of;
 
@@ -18,6 +18,7 @@ use crate::accel::simd::Instructions;
 use crate::accel::{Accel, AccelFlaw};
 use crate::error::CompileError;
 use crate::surface::NormalField;
+use models::Models;
 use vitrine_math::{Bounds3, Rgb};
 use vitrine_scene::lights::Emission;
 use vitrine_scene::{Assets, Scene};
@@ -49,13 +50,46 @@ pub struct CompiledLight {
     pub radiance: Rgb,
 }
 
+/// How a scene is made ready.
+#[derive(Clone, Copy, Debug)]
+pub struct CompileOptions<'a> {
+    /// The most bytes that the trees over the scene's models may take. They are estimated before they are built.
+    pub memory: u64,
+    /// An earlier state of the scene, or another scene: trees over models that both of them show (the same [`Arc`], not only the
+    /// same triangles) are taken over and not built anew.
+    ///
+    /// [`Arc`]: std::sync::Arc
+    pub earlier: Option<&'a CompiledScene>,
+}
+
+impl Default for CompileOptions<'_> {
+    /// As much memory as [`memory_limit`] says, and nothing to take over.
+    fn default() -> Self {
+        Self { memory: memory_limit(), earlier: None }
+    }
+}
+
 /// Makes a scene ready.
 ///
 /// # Errors
-/// [`CompileError`]: a name, a model or a picture is missing, or numbers leave the range of floats.
+/// [`CompileError`]: a name, a model or a picture is missing, numbers leave the range of floats, or the trees would not fit
+/// into memory.
 pub fn compile(scene: &Scene, assets: &Assets) -> Result<CompiledScene, CompileError> {
+    compile_with(scene, assets, CompileOptions::default())
+}
+
+/// Makes a scene ready, with options.
+///
+/// # Errors
+/// As [`compile`].
+pub fn compile_with(
+    scene: &Scene,
+    assets: &Assets,
+    options: CompileOptions,
+) -> Result<CompiledScene, CompileError> {
     let mut table = materials::MaterialTable::new(scene, assets)?;
-    let geometry = geometry::collect(scene, assets, &mut table)?;
+    let models = Models::new(options.memory, options.earlier.map_or(&[], |earlier| &earlier.primitives));
+    let geometry = geometry::collect(scene, assets, &mut table, models)?;
     let transparencies = table.materials.iter().map(|m| m.transparency).collect();
     let (mut lights, mut ambient) = (Vec::new(), Rgb::BLACK);
     for light in scene.lights.iter().filter(|l| l.visible && l.intensity > 0.0) {
@@ -82,6 +116,16 @@ pub fn compile(scene: &Scene, assets: &Assets) -> Result<CompiledScene, CompileE
 }
 
 impl CompiledScene {
+    /// Makes a later state of the scene ready, with the same instructions. Trees over models that are still shown are taken over:
+    /// moving, hiding or painting objects takes no longer for large models than for small ones.
+    ///
+    /// # Errors
+    /// As [`compile`].
+    pub fn recompile(&self, scene: &Scene, assets: &Assets) -> Result<Self, CompileError> {
+        let options = CompileOptions { earlier: Some(self), ..CompileOptions::default() };
+        Ok(compile_with(scene, assets, options)?.with_instructions(self.accel.instructions))
+    }
+
     /// The box around everything but planes; empty when there is nothing else. World space, metres.
     #[must_use]
     pub const fn bounds(&self) -> Bounds3 {

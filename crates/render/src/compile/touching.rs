@@ -2,7 +2,7 @@
 //! one, now the other before the other: speckles. So transparent boxes and models draw back by a little more than
 //! rounding can move, far less than can be seen; the floor is then always met after the glass.
 
-use vitrine_math::{OFFSET_SHARE, Transform, Vec3};
+use vitrine_math::{Bounds3, OFFSET_SHARE, Transform, Vec3};
 use vitrine_scene::Geometry;
 
 /// How many times farther than a ray's start a face draws back, times 1 to [`RANKS`]: a bent ray that leaves the glass starts
@@ -20,26 +20,28 @@ pub fn reach_of(transform: &Transform, size: Vec3) -> f32 {
     (x + y + z + m.translation.abs()).max_element()
 }
 
-/// A form of a transparent thing and its place, both a little smaller. `id` is its place among the scene's primitives.
-pub fn drawn_back(geometry: Geometry, transform: Transform, id: u32) -> (Geometry, Transform) {
+/// A form of a transparent thing and its place, both a little smaller. `id` is its place among the scene's primitives, `bounds`
+/// a model's box.
+pub fn drawn_back(
+    geometry: Geometry,
+    transform: Transform,
+    bounds: &Bounds3,
+    id: u32,
+) -> (Geometry, Transform) {
     match geometry {
         Geometry::Box { half } => {
             let reach = reach_of(&transform, half);
             (Geometry::Box { half: half * share_left(half, reach, &transform, id) }, transform)
         }
-        Geometry::Mesh(mesh) => {
-            let bounds = mesh.bounds();
-            if bounds.is_empty() {
-                return (Geometry::Mesh(mesh), transform);
-            }
+        Geometry::Mesh(_) | Geometry::Facets(_) if !bounds.is_empty() => {
             let reach = reach_of(&transform, bounds.min.abs().max(bounds.max.abs()));
             let scale = share_left(bounds.size() * 0.5, reach, &transform, id);
             // Towards the middle of its box.
             let smaller = Transform::from_place(bounds.center() * (Vec3::ONE - scale), Vec3::ZERO, scale);
-            (Geometry::Mesh(mesh), transform.after(&smaller))
+            (geometry, transform.after(&smaller))
         }
         // Balls touch in points; planes and single triangles have no inside to draw back to.
-        other => (other, transform),
+        _ => (geometry, transform),
     }
 }
 
@@ -66,7 +68,11 @@ mod tests {
     fn boxes_lose_millionths_and_neighbours_differ() {
         let half = Vec3::new(0.5, 1.0, 0.01);
         let losses: Vec<_> = (0..4)
-            .map(|id| half - half_of(&drawn_back(Geometry::Box { half }, Transform::default(), id).0))
+            .map(|id| {
+                half - half_of(
+                    &drawn_back(Geometry::Box { half }, Transform::default(), &Bounds3::EMPTY, id).0,
+                )
+            })
             .collect();
         for (k, loss) in losses.iter().enumerate() {
             assert!(loss.cmpgt(Vec3::ZERO).all() && loss.max_element() < 2e-5, "{loss}");
@@ -79,7 +85,8 @@ mod tests {
     fn huge_and_tiny_boxes_stay_boxes() {
         for size in [1e-38_f32, 1e-20, 1e18, 3e38] {
             let half = Vec3::splat(size);
-            let back = half_of(&drawn_back(Geometry::Box { half }, Transform::default(), 1).0);
+            let back =
+                half_of(&drawn_back(Geometry::Box { half }, Transform::default(), &Bounds3::EMPTY, 1).0);
             assert!(back.cmpgt(half * 0.99).all() && back.cmple(half).all(), "{back}");
         }
     }

@@ -90,7 +90,10 @@ impl Primitive {
                 Outward { p: moved(s, &unit.world_from_object, &local), n, smooth: n }
             }
             Form::Box { unit } => on_box(s, unit, arrival),
-            Form::Mesh { mesh, .. } => on_mesh(s, mesh, &self.transform, lanes, arrival.at),
+            Form::Mesh { mesh, is_smooth, .. } => {
+                let smooth = on_mesh(s, mesh, &self.transform, lanes, arrival.at);
+                if *is_smooth { smooth } else { Outward { smooth: smooth.n, ..smooth } }
+            }
             Form::Sphere { .. } | Form::Plane { .. } | Form::Triangle { .. } => {
                 unreachable!("its normals follow the one formula")
             }

@@ -15,6 +15,7 @@ mod mirrors;
 mod models;
 mod oracle;
 mod phong;
+mod recompile;
 mod shadows;
 mod shapes;
 mod soft;

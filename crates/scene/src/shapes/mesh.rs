@@ -24,12 +24,7 @@ crate::params! {
 impl ShapeKind for Mesh {
     fn geometry(&self, assets: &Assets) -> Option<Geometry> {
         let mesh = assets.meshes.get(Path::new(&self.file))?;
-        if self.smooth || mesh.normals.is_empty() {
-            return Some(Geometry::Mesh(mesh.clone()));
-        }
-        let mut flat = (**mesh).clone();
-        flat.normals = Vec::new();
-        Some(Geometry::Mesh(flat.into()))
+        Some(if self.smooth { Geometry::Mesh(mesh.clone()) } else { Geometry::Facets(mesh.clone()) })
     }
 
     fn file(&self) -> Option<&Path> {

@@ -66,6 +66,8 @@ pub enum Geometry {
         /// The picture's coordinates at the corners.
         uvs: [[f32; 2]; 3],
     },
-    /// Many triangles.
+    /// Many triangles, shaded by the normals at their corners, if there are any.
     Mesh(Arc<TriangleMesh>),
+    /// Many triangles, each shaded as the flat thing that it is.
+    Facets(Arc<TriangleMesh>),
 }

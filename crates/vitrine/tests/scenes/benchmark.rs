@@ -35,7 +35,7 @@ fn c18_the_benchmark_has_the_counts_of_the_course_work() {
         .objects
         .iter()
         .filter_map(|o| match o.shape.as_kind().geometry(&project.assets) {
-            Some(Geometry::Mesh(mesh)) => Some(mesh.triangles.len()),
+            Some(Geometry::Mesh(mesh) | Geometry::Facets(mesh)) => Some(mesh.triangles.len()),
             _ => None,
         })
         .collect();
@@ -61,7 +61,7 @@ fn c18_the_transparent_sphere_encloses_everything_but_the_ground() {
             Geometry::Sphere { radius: r } => {
                 assert!(reach(object, Vec3::ZERO) + r < radius, "{}", object.name);
             }
-            Geometry::Mesh(mesh) => {
+            Geometry::Mesh(mesh) | Geometry::Facets(mesh) => {
                 assert!(mesh.positions.iter().all(|p| reach(object, *p) < radius), "{}", object.name);
             }
             _ => assert_eq!(object.name, "ground"),

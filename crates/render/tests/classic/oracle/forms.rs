@@ -84,7 +84,7 @@ impl Thing {
             Geometry::Triangle { points, .. } => {
                 self.triangle(points.map(|p| self.point(D3::of(p))), o, d).into_iter().collect()
             }
-            Geometry::Mesh(mesh) => {
+            Geometry::Mesh(mesh) | Geometry::Facets(mesh) => {
                 let corners = |t: &[u32; 3]| t.map(|i| self.point(D3::of(mesh.positions[i as usize])));
                 mesh.triangles.iter().filter_map(|t| self.triangle(corners(t), o, d)).collect()
             }
