@@ -12,6 +12,7 @@ use clap::Args;
 use serde_json::json;
 use std::path::{Path, PathBuf};
 use vitrine::film::Film;
+use vitrine::render::accel::simd::Instructions;
 use vitrine::{Project, Region, RenderOptions, Rendered, WriteOptions, formats};
 
 /// Make the picture of a scene
@@ -39,6 +40,13 @@ pub struct Render {
 
     #[command(flatten)]
     threads: ThreadFlag,
+
+    /// Trace without the processor's vector instructions
+    ///
+    /// The picture is the same to the byte on every machine, with these instructions and without; only the time differs. If it
+    /// is not, the machine computes wrongly: this flag is there to find that out.
+    #[arg(long)]
+    portable: bool,
 
     #[command(flatten)]
     picture: PictureFlags,
@@ -82,7 +90,10 @@ impl Render {
         self.show_warnings(&events, &project);
 
         let bar = Bar::new(self.quiet || self.json);
-        let compiled = picture::compile(&project)?;
+        let mut compiled = picture::compile(&project)?;
+        if self.portable {
+            compiled = compiled.with_instructions(Instructions::Portable);
+        }
         let options = RenderOptions { settings, region: self.region };
         bar.begin("Rendering");
         let made = picture::make(&compiled, options, self.threads.count(), &cancel, &mut |progress| {
@@ -133,6 +144,7 @@ impl Render {
             "depth": settings.depth,
             "seed": settings.seed,
             "threads": self.threads.count(),
+            "portable": self.portable,
         }));
     }
 

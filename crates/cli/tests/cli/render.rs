@@ -41,6 +41,24 @@ fn bits_and_quality() {
     assert!(folder.read("poor.jpg").len() < folder.read("fine.jpg").len());
 }
 
+/// C16. The scene has a model beside the ball, so that boxes, triangles and balls are traced.
+#[test]
+fn c16_the_same_bytes_without_vector_instructions() {
+    let folder = Folder::with_scene();
+    folder.run_well(&["templates", "benchmark", "-o", "benchmark.vitrine.toml"]);
+    for scene in ["scene", "benchmark"] {
+        let (file, ending) = (format!("{scene}.vitrine.toml"), ["-fast.png", "-portable.png"]);
+        let [fast, portable] = ending.map(|ending| format!("{scene}{ending}"));
+        let render = |name: &str, more: &[&str]| {
+            let all = ["render", &file, "-o", name, "--size", "100x70", "--samples", "2"];
+            folder.run_well(&[&all, more].concat());
+        };
+        render(&fast, &[]);
+        render(&portable, &["--portable"]);
+        assert!(folder.read(&fast) == folder.read(&portable), "{scene}");
+    }
+}
+
 /// C16.
 #[test]
 fn c16_the_same_bytes_on_any_number_of_threads() {
