@@ -38,7 +38,6 @@ macro_rules! api {
         /// The functions of Embree that are used.
         struct Api {
             $($name: unsafe extern "C" fn($($argument),*) $(-> $result)?,)*
-            _library: Library,
         }
 
         impl Api {
@@ -47,7 +46,10 @@ macro_rules! api {
                 // of its headers, see the opening of this file.
                 unsafe {
                     let library = Library::new(path)?;
-                    Ok(Self { $($name: *library.get($symbol)?,)* _library: library })
+                    let api = Self { $($name: *library.get($symbol)?,)* };
+                    // Its threads may outlive its devices: it stays until the program ends.
+                    std::mem::forget(library);
+                    Ok(api)
                 }
             }
         }

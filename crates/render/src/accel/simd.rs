@@ -3,9 +3,9 @@
 //! Every operation is an IEEE 754 operation that rounds correctly, and none is fused with another. So each lane gives the same
 //! bits on every instruction set, and a picture does not depend on the processor that made it.
 //!
-//! This, `stack` and `huge` are the only files of the crate with `unsafe`. The invariant: a value of [`Avx2`] or [`Avx512`] exists only where
-//! [`Instructions::detect`] has found the processor to have those instructions, for nothing else can make one. So whoever
-//! holds one may call them.
+//! This file, `stack` and `huge` are the only ones of the crate with `unsafe`. The invariant here: a value of [`Avx2`] or
+//! [`Avx512`] exists only where [`Instructions::detect`] has found the processor to have those instructions, for nothing
+//! else can make one. So whoever holds one may call them.
 #![allow(unsafe_code)]
 
 use super::rays::Rays;

@@ -1,7 +1,7 @@
 //! What walks through trees have still to visit.
 //!
-//! This, [`simd`](super::simd) and `huge` are the only files of the crate with `unsafe`. The invariant here: of a stack's places, those
-//! below `top` have been written; nothing else changes `top` than [`Stack::push`], which writes first, and [`Stack::pop`].
+//! The invariant behind the `unsafe` here: of a stack's places, those below `top` have been written; nothing else changes
+//! `top` than [`Stack::push`], which writes first, and [`Stack::pop`].
 #![allow(unsafe_code)]
 
 use super::tree::STACK;
