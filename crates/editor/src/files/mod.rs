@@ -1,0 +1,5 @@
+//! Files of the editor: settings of the program, recent files, opening, saving, recovery.
+
+mod config;
+
+pub use config::Config;

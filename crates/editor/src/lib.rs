@@ -1,0 +1,9 @@
+//! The editor: the window in which a person builds a scene and watches it being ray-traced.
+//!
+//! [`document`] holds what is edited and knows of no window; everything else draws a document and says what a person asks
+//! for ([`action`]).
+
+pub mod action;
+pub mod document;
+pub mod files;
+pub mod text;
