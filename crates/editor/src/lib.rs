@@ -6,4 +6,6 @@
 pub mod action;
 pub mod document;
 pub mod files;
+pub mod shortcuts;
 pub mod text;
+pub mod theme;

@@ -87,7 +87,7 @@ fn dialog_for(purpose: Purpose) -> FileDialog {
         })
     };
     let with_filter = |dialog: FileDialog, key: &str, ends| {
-        let name = crate::text::get(key);
+        let name = tr!(key);
         dialog.add_file_filter(&name, ending(ends)).default_file_filter(&name)
     };
     match purpose {
