@@ -78,3 +78,5 @@ menu-about = About Vitrine…
     .tooltip = Version and licences
 menu-language = Language: { $name }
     .tooltip = Switch the language of the window at once
+menu-open-tooltip = Open the menu { $name }
+menu-add-tooltip = Add: { $name }

@@ -78,3 +78,5 @@ menu-about = О программе…
     .tooltip = Версия и лицензии
 menu-language = Язык: { $name }
     .tooltip = Сразу переключить язык окна
+menu-open-tooltip = Открыть меню «{ $name }»
+menu-add-tooltip = Добавить: { $name }
