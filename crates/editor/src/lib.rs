@@ -8,3 +8,4 @@ pub mod document;
 pub mod files;
 pub mod text;
 pub mod theme;
+pub mod widgets;
