@@ -7,3 +7,4 @@ pub mod action;
 pub mod document;
 pub mod files;
 pub mod text;
+pub mod theme;

@@ -1,0 +1,1 @@
+## Why a picture is black, white or empty.

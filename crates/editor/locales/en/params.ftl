@@ -1,0 +1,1 @@
+## Labels and tooltips of parameters. English tooltips come from the descriptions in the code.

@@ -1,0 +1,46 @@
+//! Names of kinds, parameters and choices, from their descriptions in the scene crate.
+//!
+//! A parameter's label is the message `param-<name>`, or `param-<kind>-<name>` where a kind needs another word. Its tooltip
+//! is that message's attribute `tooltip`; in English the description itself is the tooltip unless a locale says otherwise.
+
+use super::{Language, language, try_tr, try_tr_here};
+use vitrine::scene::{ListName, ParamSpec};
+
+/// The label of a parameter. `kind` is the word of the kind ("sphere"), of the list ("object"), "camera" or "settings".
+#[must_use]
+pub fn param_label(kind: &str, spec: &ParamSpec) -> String {
+    try_tr(&format!("param-{kind}-{}", spec.name))
+        .or_else(|| try_tr(&spec.label_key()))
+        .unwrap_or_else(|| spec.name.to_owned())
+}
+
+/// The tooltip of a parameter.
+#[must_use]
+pub fn param_tooltip(kind: &str, spec: &ParamSpec) -> String {
+    let keys = [format!("param-{kind}-{}.tooltip", spec.name), format!("{}.tooltip", spec.label_key())];
+    let stated = keys.iter().find_map(|key| try_tr_here(key));
+    let described = || {
+        let same_language = language() == Language::English;
+        let other = (!same_language).then(|| keys.iter().find_map(|key| try_tr(key))).flatten();
+        other.unwrap_or_else(|| spec.doc.split_whitespace().collect::<Vec<_>>().join(" "))
+    };
+    stated.unwrap_or_else(described)
+}
+
+/// The name of a kind ("sphere") or of a part of the scene ("camera").
+#[must_use]
+pub fn kind_name(word: &str) -> String {
+    try_tr(&format!("kind-{word}")).unwrap_or_else(|| word.to_owned())
+}
+
+/// The name of a word of a choice: "repeat" of "wrap".
+#[must_use]
+pub fn choice_name(spec: &ParamSpec, word: &str) -> String {
+    try_tr(&format!("choice-{}-{word}", spec.name)).unwrap_or_else(|| word.to_owned())
+}
+
+/// The word under which the parameters that all entries of a list have are looked up.
+#[must_use]
+pub const fn kind_of_list(list: ListName) -> &'static str {
+    list.key()
+}
