@@ -4,6 +4,7 @@
 //! for ([`action`]).
 
 pub mod action;
+pub mod doctor;
 pub mod document;
 pub mod files;
 pub mod panels;
