@@ -6,6 +6,7 @@
 pub mod action;
 pub mod document;
 pub mod files;
+pub mod shortcuts;
 pub mod text;
 pub mod theme;
 pub mod widgets;
