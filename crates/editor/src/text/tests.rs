@@ -5,8 +5,8 @@ use fluent_bundle::FluentResource;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use vitrine::scene::{
-    Camera, Group, Item as _, KindSpec, Light, LightSource, ListName, Material, Object, ParamKind, ParamSpec, Settings,
-    Shape, Texture, TextureSource,
+    Camera, Group, Item as _, KindSpec, Light, LightSource, ListName, Material, Object, ParamKind, ParamSpec,
+    Settings, Shape, Texture, TextureSource,
 };
 
 /// The parts of a message: the variables in its value and in each attribute.
@@ -17,7 +17,12 @@ fn messages(language: Language) -> BTreeMap<String, Parts> {
     let mut found = BTreeMap::new();
     for (name, text) in files_of(language) {
         let parsed = FluentResource::try_new((*text).to_owned());
-        assert!(parsed.is_ok(), "{}/{name}.ftl: {:?}", language.tag(), parsed.err().map(|(_, errors)| errors));
+        assert!(
+            parsed.is_ok(),
+            "{}/{name}.ftl: {:?}",
+            language.tag(),
+            parsed.err().map(|(_, errors)| errors)
+        );
         let mut key = String::new();
         for line in text.lines().filter(|l| !l.starts_with('#') && !l.trim().is_empty()) {
             let part = line.split_once('=').map(|(head, _)| head.trim().to_owned());
@@ -203,7 +208,8 @@ fn names_on_the_panels_are_the_agreed_ones() {
     ];
     for (kind, name, english, russian) in labels {
         let owners = owners();
-        let spec = owners.iter().filter(|(k, _)| *k == kind).flat_map(|(_, s)| *s).find(|s| s.name == name).unwrap();
+        let spec =
+            owners.iter().filter(|(k, _)| *k == kind).flat_map(|(_, s)| *s).find(|s| s.name == name).unwrap();
         set_language(Language::Russian);
         assert_eq!(param_label(kind, spec), russian);
         set_language(Language::English);
