@@ -6,5 +6,6 @@
 pub mod action;
 pub mod document;
 pub mod files;
+pub mod live;
 pub mod text;
 pub mod theme;
