@@ -7,6 +7,7 @@ pub mod action;
 pub mod doctor;
 pub mod document;
 pub mod files;
+pub mod live;
 pub mod panels;
 pub mod shortcuts;
 pub mod text;
