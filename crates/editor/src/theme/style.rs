@@ -3,8 +3,8 @@
 use super::{Theme, tokens::Sizes};
 use eframe::egui::style::{HandleShape, WidgetVisuals, Widgets};
 use eframe::egui::{
-    Color32, Context, CornerRadius, FontFamily, FontId, Margin, Shadow, Stroke, Style, TextStyle, ThemePreference, Vec2,
-    Visuals, vec2,
+    Color32, Context, CornerRadius, FontFamily, FontId, Margin, Shadow, Stroke, Style, TextStyle,
+    ThemePreference, Vec2, Visuals, vec2,
 };
 
 pub(super) fn install(ctx: &Context, theme: &Theme) {
