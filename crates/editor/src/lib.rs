@@ -4,6 +4,7 @@
 //! for ([`action`]).
 
 pub mod action;
+pub mod dialogs;
 pub mod document;
 pub mod files;
 pub mod shortcuts;

@@ -3,7 +3,7 @@
 //! A scene knows none of this: units become a scale, the axis that points up becomes a turn about X, which comes first of
 //! the three turns. So both can be read off an object again, and the dialog serves before and after loading.
 
-use crate::dialogs::thing::{MaterialDraft, replace};
+use crate::dialogs::thing::{Flaw, MaterialDraft, Subject, replace};
 use crate::document::{Addition, EditCommand, Thing};
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -191,6 +191,12 @@ impl ModelDraft {
     #[must_use]
     pub const fn is_new(&self) -> bool {
         self.before.is_none()
+    }
+
+    /// What stands in the way of accepting it.
+    #[must_use]
+    pub fn flaw(&self, scene: &Scene) -> Option<Flaw> {
+        Subject::Object(Box::new(self.object())).flaw(scene, self.name_before())
     }
 
     /// Whether it can be put onto the floor here: what belongs to a group goes where the group is.

@@ -193,6 +193,13 @@ impl ThingDraft {
         self.before.as_ref().map(Subject::name)
     }
 
+    /// The thing that is being changed, as it will be called; None for a new one.
+    #[must_use]
+    pub fn thing_after(&self) -> Option<Thing> {
+        let name = self.subject.name().trim().to_owned();
+        self.before.as_ref().map(|b| Thing::Item(b.list(), name))
+    }
+
     /// Whether it is being added.
     #[must_use]
     pub const fn is_new(&self) -> bool {

@@ -130,6 +130,20 @@ impl MaterialDraft {
         self.texture = Some(texture);
     }
 
+    /// Lays a new pattern over the surface.
+    pub fn set_pattern(&mut self, scene: &Scene) {
+        let wanted = crate::text::kind_name("checker");
+        let name = free_name(&wanted, |n| scene.texture(n).is_some());
+        self.material.texture = Some(name.clone());
+        self.texture = Some(Texture { name, ..Texture::default() });
+    }
+
+    /// The material.
+    #[must_use]
+    pub const fn material(&self) -> &Material {
+        &self.material
+    }
+
     /// The new texture, if there is one.
     #[must_use]
     pub const fn new_texture(&self) -> Option<&Texture> {
@@ -145,7 +159,7 @@ impl MaterialDraft {
     }
 
     /// Puts it on a new object, with all that has to come along.
-    pub(super) fn put_on(&self, mut object: Object, scene: &Scene) -> Addition {
+    pub(in crate::dialogs) fn put_on(&self, mut object: Object, scene: &Scene) -> Addition {
         let mut addition = Addition::default();
         object.material = match &self.choice {
             MaterialChoice::Unstated => None,
@@ -164,7 +178,7 @@ impl MaterialDraft {
     }
 
     /// Shows it in a scene that is only looked at.
-    pub(super) fn show_in(&self, scene: &mut Scene, object: &mut Object) {
+    pub(in crate::dialogs) fn show_in(&self, scene: &mut Scene, object: &mut Object) {
         scene.textures.extend(self.texture.clone());
         object.material = match &self.choice {
             MaterialChoice::Unstated => None,
