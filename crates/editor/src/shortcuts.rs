@@ -144,7 +144,8 @@ pub fn asked_for(ctx: &Context, document: &Document, actions: &mut Actions) {
         return;
     }
     // Keys with more modifiers first: Ctrl+S must not take what Ctrl+Shift+S means.
-    let by_modifiers = |with_shift: bool| SHORTCUTS.iter().filter(move |s| s.keys.modifiers.shift == with_shift);
+    let by_modifiers =
+        |with_shift: bool| SHORTCUTS.iter().filter(move |s| s.keys.modifiers.shift == with_shift);
     for shortcut in by_modifiers(true).chain(by_modifiers(false)) {
         let Some(action) = shortcut.action else { continue };
         if ctx.input_mut(|i| i.consume_shortcut(&shortcut.keys)) {
