@@ -9,3 +9,4 @@ pub mod files;
 pub mod live;
 pub mod text;
 pub mod theme;
+pub mod viewport;
