@@ -50,6 +50,8 @@ pub enum Action {
     AddQuick(NewThing),
     /// Open the dialog that adds a thing.
     AddDialog(NewThing),
+    /// Open the dialog with all properties of a thing.
+    EditDialog(Thing),
     /// Choose a model to add.
     LoadModel,
     /// Open the dialog «Model settings» for an object that is a model.
@@ -73,6 +75,20 @@ pub struct NewThing {
     pub list: ListName,
     /// The word of the kind: "sphere", "disc".
     pub kind: &'static str,
+}
+
+impl NewThing {
+    /// The word under which locales and icons know the kind.
+    #[must_use]
+    pub const fn kind_word(self) -> &'static str {
+        self.kind
+    }
+
+    /// Whether it comes from a file, which must be chosen first.
+    #[must_use]
+    pub fn is_model(self) -> bool {
+        self.list == ListName::Object && self.kind == "mesh"
+    }
 }
 
 /// A window inside the window.

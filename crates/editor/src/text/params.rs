@@ -3,7 +3,7 @@
 //! A parameter's label is the message `param-<name>`, or `param-<kind>-<name>` where a kind needs another word. Its tooltip
 //! is that message's attribute `tooltip`; in English the description itself is the tooltip unless a locale says otherwise.
 
-use super::{Language, language, try_tr, try_tr_here};
+use super::{tr, try_tr, try_tr_here};
 use vitrine::scene::{ListName, ParamSpec};
 
 /// The label of a parameter. `kind` is the word of the kind ("sphere"), of the list ("object"), "camera" or "settings".
@@ -19,18 +19,20 @@ pub fn param_label(kind: &str, spec: &ParamSpec) -> String {
 pub fn param_tooltip(kind: &str, spec: &ParamSpec) -> String {
     let keys = [format!("param-{kind}-{}.tooltip", spec.name), format!("{}.tooltip", spec.label_key())];
     let stated = keys.iter().find_map(|key| try_tr_here(key));
-    let described = || {
-        let same_language = language() == Language::English;
-        let other = (!same_language).then(|| keys.iter().find_map(|key| try_tr(key))).flatten();
-        other.unwrap_or_else(|| spec.doc.split_whitespace().collect::<Vec<_>>().join(" "))
-    };
-    stated.unwrap_or_else(described)
+    let text = stated.unwrap_or_else(|| spec.doc.split_whitespace().collect::<Vec<_>>().join(" "));
+    format!("{text}\n{}", tr!("param-key", key = spec.name))
 }
 
 /// The name of a kind ("sphere") or of a part of the scene ("camera").
 #[must_use]
 pub fn kind_name(word: &str) -> String {
     try_tr(&format!("kind-{word}")).unwrap_or_else(|| word.to_owned())
+}
+
+/// The name of a kind of a list's entries: a "disc" among the lights is a lamp, among the objects it is not.
+#[must_use]
+pub fn kind_name_in(list: ListName, word: &str) -> String {
+    try_tr(&format!("kind-{}-{word}", list.key())).unwrap_or_else(|| kind_name(word))
 }
 
 /// The name of a word of a choice: "repeat" of "wrap".

@@ -2,13 +2,13 @@
 
 use super::*;
 use crate::document::CameraMove;
-use eframe::egui::{self, Event, Key, Modifiers, MouseWheelUnit, PointerButton, Vec2, pos2};
+use eframe::egui::{self, Event, Key, Modifiers, MouseWheelUnit, PointerButton, Vec2};
 use egui_kittest::{Harness, kittest::Queryable};
 use std::sync::Arc;
+use std::path::{Path, PathBuf};
+use vitrine::formats::SceneFile;
 use vitrine::math::{Axis, Vec3};
-use vitrine::scene::lights::Point;
-use vitrine::scene::shapes::{Plane, Sphere};
-use vitrine::scene::{Camera, Light, LightSource, Material, Object, Settings, Shape, Value};
+use vitrine::scene::{Assets, Material, Value};
 
 /// A window of 640×520 points with the picture in it, 640×480.
 struct Window {
@@ -23,30 +23,34 @@ struct Window {
 type Test = Harness<'static, Window>;
 
 /// A ball on a floor, a lamp at the upper left.
-fn document() -> Document {
-    let ball = Object {
-        name: "ball".into(),
-        shape: Shape::Sphere(Sphere { radius: 1.0 }),
-        position: Vec3::Y,
-        ..Object::default()
-    };
-    let floor = Object { name: "floor".into(), shape: Shape::Plane(Plane {}), ..Object::default() };
-    let lamp = LightSource::Point(Point { position: Vec3::new(-2.0, 3.0, 0.0) });
-    let camera =
-        Camera { position: Vec3::new(0.0, 3.0, 8.0), look_at: Some(Vec3::Y), ..Camera::default() };
-    let scene = vitrine::Scene {
-        settings: Settings { size: [640, 480], ..Settings::default() },
-        camera,
-        lights: vec![Light { name: "lamp".into(), source: lamp, ..Light::default() }],
-        objects: vec![ball, floor],
-        ..vitrine::Scene::default()
-    };
-    Document::of_scene(scene)
+const SCENE: &str = r#"
+format = 1
+[settings]
+size = [640, 480]
+[camera]
+position = [0.0, 3.0, 8.0]
+look_at = [0.0, 1.0, 0.0]
+[[light]]
+name = "lamp"
+kind = "point"
+position = [-2.0, 3.0, 0.0]
+[[object]]
+name = "ball"
+shape = "sphere"
+position = [0.0, 1.0, 0.0]
+[[object]]
+name = "floor"
+shape = "plane"
+"#;
+
+fn document(text: &str) -> Document {
+    let file = SceneFile::parse(Path::new("test.vitrine.toml"), text).unwrap();
+    Document::untitled(file, Assets::default(), PathBuf::new())
 }
 
 fn window() -> Test {
     let state = Window {
-        document: document(),
+        document: document(SCENE),
         live: Live::synchronous(),
         viewport: Viewport::default(),
         actions: Vec::new(),
@@ -344,9 +348,8 @@ fn the_picture_follows_edits_and_the_tools_have_names_and_keys() {
 #[test]
 fn a_scene_that_cannot_be_rendered_is_shown_with_the_reason() {
     let mut test = window();
-    let mut scene = vitrine::Scene::clone(test.state().document.scene());
-    scene.objects[0].material = Some("nothing".into());
-    test.state_mut().document = Document::of_scene(scene);
+    let model = "\n[[object]]\nname = \"model\"\nshape = \"mesh\"\nfile = \"missing.obj\"\n";
+    test.state_mut().document = document(&format!("{SCENE}{model}"));
     test.run();
     assert!(matches!(test.state().live.status().error, Some(LiveError::Compile(_))));
 }
