@@ -13,4 +13,5 @@ pub mod panels;
 pub mod shortcuts;
 pub mod text;
 pub mod theme;
+pub mod viewport;
 pub mod widgets;
