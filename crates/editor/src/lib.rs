@@ -6,6 +6,7 @@
 pub mod action;
 pub mod document;
 pub mod files;
+pub mod panels;
 pub mod shortcuts;
 pub mod text;
 pub mod theme;
