@@ -65,11 +65,13 @@ fn panel(language: Language, config: &Config, things: Vec<Thing>) -> Harness<'st
     let mut is_ready = false;
     let draw = move |ui: &mut Ui, panel: &mut Panel| {
         set_language(language);
-        if !is_ready {
+        // Fonts are there from the next frame on.
+        if std::mem::replace(&mut is_ready, true) {
+            draw_ui(ui, panel);
+        } else {
             theme::apply(ui, &config);
-            is_ready = true;
+            ui.request_repaint();
         }
-        draw_ui(ui, panel);
     };
     let sizes = &theme::Theme::of_config(&Config::default()).sizes;
     let mut harness = Harness::builder()
