@@ -4,8 +4,8 @@
 //! for ([`action`]).
 
 pub mod action;
-pub mod doctor;
 pub mod dialogs;
+pub mod doctor;
 pub mod document;
 pub mod files;
 pub mod live;
