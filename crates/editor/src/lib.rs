@@ -5,6 +5,7 @@
 
 pub mod action;
 pub mod doctor;
+pub mod dialogs;
 pub mod document;
 pub mod files;
 pub mod live;

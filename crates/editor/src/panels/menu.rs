@@ -124,12 +124,7 @@ fn edit_ui(ui: &mut Ui, around: &Around, actions: &mut Actions) {
 pub fn add_entries_ui(ui: &mut Ui, actions: &mut Actions) {
     let objects = Shape::KINDS.iter().map(|k| NewThing { list: ListName::Object, kind: k.name });
     for new in objects {
-        kind_entry_ui(
-            ui,
-            new,
-            |new| if new.is_model() { Action::LoadModel } else { Action::AddDialog(new) },
-            actions,
-        );
+        kind_entry_ui(ui, new, |new| if new.is_model() { Action::LoadModel } else { Action::AddDialog(new) }, actions);
     }
     ui.separator();
     lights_ui(ui, Action::AddDialog, actions);
@@ -144,7 +139,7 @@ pub fn lights_ui(ui: &mut Ui, action: fn(NewThing) -> Action, actions: &mut Acti
 
 fn kind_entry_ui(ui: &mut Ui, new: NewThing, action: fn(NewThing) -> Action, actions: &mut Actions) {
     let name = kind_name(new.kind_word());
-    let response = ui.add(Button::new(format!("{}  {name}", theme::icons::of_kind(new.kind_word()))));
+    let response = ui.add(Button::new(format!("{}  {name}", new.icon())));
     if response.clicked() {
         actions.push(action(new));
         ui.close();

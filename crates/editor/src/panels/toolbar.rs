@@ -66,7 +66,7 @@ fn add_ui(ui: &mut Ui, actions: &mut Actions) {
         let name = try_tr(&format!("toolbar-{word}")).unwrap_or_else(|| kind_name(word));
         let tooltip = try_tr(&format!("toolbar-{word}.tooltip"));
         let tooltip = tooltip.unwrap_or_else(|| tr!("menu-add-tooltip", name = name.as_str()));
-        if tool_button(ui, icons::of_kind(word), &name, &tooltip, "").clicked() {
+        if tool_button(ui, new.icon(), &name, &tooltip, "").clicked() {
             actions.push(if new.is_model() { Action::LoadModel } else { Action::AddQuick(new) });
         }
     }
@@ -91,8 +91,7 @@ fn render_ui(ui: &mut Ui, around: &Around, actions: &mut Actions) {
         actions.push(action);
     }
     if around.render == RenderState::Stopped
-        && tool_button(ui, icons::OPEN_RIGHT, &tr!("toolbar-continue"), &tr!("menu-continue.tooltip"), "")
-            .clicked()
+        && tool_button(ui, icons::OPEN_RIGHT, &tr!("toolbar-continue"), &tr!("menu-continue.tooltip"), "").clicked()
     {
         actions.push(Action::ContinueRender);
     }

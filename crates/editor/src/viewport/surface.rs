@@ -25,19 +25,19 @@ struct OutlineKey {
 impl Surface {
     /// Draws the newest picture.
     pub fn paint_picture(&mut self, painter: &Painter, rect: Rect, newest: Option<Arc<Picture>>) {
-        if let Some(newest) = newest {
-            if self.picture.as_ref().is_none_or(|(shown, _)| !Arc::ptr_eq(shown, &newest)) {
-                let image =
-                    ColorImage::from_rgba_premultiplied(newest.size.map(|v| v as usize), &newest.rgba);
-                match &mut self.picture {
-                    Some((shown, texture)) => {
-                        texture.set(image, TextureOptions::LINEAR);
-                        *shown = newest;
-                    }
-                    None => {
-                        let texture = painter.ctx().load_texture("picture", image, TextureOptions::LINEAR);
-                        self.picture = Some((newest, texture));
-                    }
+        let is_new = |newest: &Arc<Picture>| {
+            self.picture.as_ref().is_none_or(|(shown, _)| !Arc::ptr_eq(shown, newest))
+        };
+        if let Some(newest) = newest.filter(is_new) {
+            let image = ColorImage::from_rgba_premultiplied(newest.size.map(|v| v as usize), &newest.rgba);
+            match &mut self.picture {
+                Some((shown, texture)) => {
+                    texture.set(image, TextureOptions::LINEAR);
+                    *shown = newest;
+                }
+                None => {
+                    let texture = painter.ctx().load_texture("picture", image, TextureOptions::LINEAR);
+                    self.picture = Some((newest, texture));
                 }
             }
         }

@@ -1,6 +1,7 @@
 //! The rows of the list: groups with their members under them, then objects that are in no group, lights, the camera.
 
 use crate::document::Thing;
+use crate::theme::icons;
 use std::collections::HashSet;
 use vitrine::scene::{ListName, Scene};
 
@@ -19,6 +20,14 @@ pub struct Row {
     pub is_closed: bool,
 }
 
+impl Row {
+    /// The icon of its kind.
+    #[must_use]
+    pub fn icon(&self) -> &'static str {
+        self.thing.list().map_or_else(|| icons::of_kind(self.kind), |list| icons::of_item(list, self.kind))
+    }
+}
+
 /// The rows for a scene. With a search only the things whose names hold it, without groups around them.
 #[must_use]
 pub fn rows(scene: &Scene, closed: &HashSet<String>, search: &str) -> Vec<Row> {
@@ -32,13 +41,9 @@ pub fn rows(scene: &Scene, closed: &HashSet<String>, search: &str) -> Vec<Row> {
         }
     } else {
         rows.extend(scene.groups.iter().map(|g| row(Thing::group(&*g.name), 0, "group", Some(g.visible))));
-        rows.extend(
-            scene.objects.iter().map(|o| row(Thing::object(&*o.name), 0, o.shape.kind(), Some(o.visible))),
-        );
+        rows.extend(scene.objects.iter().map(|o| row(Thing::object(&*o.name), 0, o.shape.kind(), Some(o.visible))));
     }
-    rows.extend(
-        scene.lights.iter().map(|l| row(Thing::light(&*l.name), 0, l.source.kind(), Some(l.visible))),
-    );
+    rows.extend(scene.lights.iter().map(|l| row(Thing::light(&*l.name), 0, l.source.kind(), Some(l.visible))));
     if search.trim().is_empty() {
         rows.push(row(Thing::Camera, 0, "camera", None));
     } else {
@@ -73,12 +78,7 @@ impl<'a> Tree<'a> {
             self.group(&inner.name, depth);
         }
         for object in scene.objects.iter().filter(|o| is_in(&o.group)) {
-            self.rows.push(row(
-                Thing::object(&*object.name),
-                depth,
-                object.shape.kind(),
-                Some(object.visible),
-            ));
+            self.rows.push(row(Thing::object(&*object.name), depth, object.shape.kind(), Some(object.visible)));
         }
     }
 
