@@ -168,8 +168,7 @@ fn smooth_rows(points: &[[f64; 2]]) -> Vec<([f64; 2], [f64; 2])> {
             let p = [-1, 0, 1, 2].map(|k| point(span as isize + k));
             let along = |k: usize| {
                 let [a, b, c, d] = [p[0][k], p[1][k], p[2][k], p[3][k]];
-                let (one, two, three) =
-                    (c - a, 2.0 * a - 5.0 * b + 4.0 * c - d, -a + 3.0 * b - 3.0 * c + d);
+                let (one, two, three) = (c - a, 2.0 * a - 5.0 * b + 4.0 * c - d, -a + 3.0 * b - 3.0 * c + d);
                 let value = 0.5 * (2.0 * b + t * (one + t * (two + t * three)));
                 (value, 0.5 * (one + t * (2.0 * two + 3.0 * t * three)))
             };

@@ -9,7 +9,6 @@ use vitrine::film::Image;
 use vitrine::formats::{WriteOptions, encode, image_format};
 use vitrine::math::{Rgb, Vec2, Vec3, hash};
 
-
 /// Makes a picture.
 type Maker = fn() -> Image;
 

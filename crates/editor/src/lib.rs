@@ -6,6 +6,7 @@
 pub mod action;
 pub mod document;
 pub mod files;
+pub mod library;
 pub mod text;
 pub mod theme;
 pub mod widgets;
