@@ -21,7 +21,8 @@ pub enum TaskState<T> {
 /// A task on a thread of its own.
 #[derive(Debug)]
 pub struct Task<T> {
-    answer: Receiver<T>,
+    /// None once it has been given.
+    answer: Option<Receiver<T>>,
 }
 
 impl<T: Send + 'static> Task<T> {
@@ -34,14 +35,18 @@ impl<T: Send + 'static> Task<T> {
             let _ = sender.send(work());
             wake();
         });
-        Self { answer }
+        Self { answer: Some(answer) }
     }
 
     /// Looks how far it is, without waiting.
     #[must_use]
     pub fn poll(&mut self) -> TaskState<T> {
-        match self.answer.try_recv() {
-            Ok(answer) => TaskState::Done(answer),
+        let Some(inbox) = &self.answer else { return TaskState::Over };
+        match inbox.try_recv() {
+            Ok(answer) => {
+                self.answer = None;
+                TaskState::Done(answer)
+            }
             Err(TryRecvError::Empty) => TaskState::Running,
             Err(TryRecvError::Disconnected) => TaskState::Over,
         }
@@ -50,7 +55,7 @@ impl<T: Send + 'static> Task<T> {
     /// Waits for its end. None when it has none to give.
     #[must_use]
     pub fn wait(self) -> Option<T> {
-        self.answer.recv().ok()
+        self.answer?.recv().ok()
     }
 }
 
