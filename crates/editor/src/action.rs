@@ -2,6 +2,7 @@
 
 use crate::document::{EditCommand, Gesture, Thing};
 use crate::files::Config;
+use crate::theme::icons;
 use std::path::PathBuf;
 use vitrine::scene::ListName;
 
@@ -89,6 +90,12 @@ impl NewThing {
     #[must_use]
     pub const fn kind_word(self) -> &'static str {
         self.kind
+    }
+
+    /// Its icon.
+    #[must_use]
+    pub fn icon(self) -> &'static str {
+        icons::of_item(self.list, self.kind)
     }
 
     /// Whether it comes from a file, which must be chosen first.
