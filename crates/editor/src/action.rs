@@ -2,6 +2,7 @@
 
 use crate::document::{EditCommand, Gesture, Thing};
 use crate::files::Config;
+use crate::theme::icons;
 use std::path::PathBuf;
 use vitrine::scene::ListName;
 
@@ -50,10 +51,19 @@ pub enum Action {
     AddQuick(NewThing),
     /// Open the dialog that adds a thing.
     AddDialog(NewThing),
+    /// Open the dialog with all properties of a thing.
+    EditDialog(Thing),
     /// Choose a model to add.
     LoadModel,
     /// Open the dialog «Model settings» for an object that is a model.
     ModelSettings(Thing),
+    /// Choose a file for a parameter: a picture for a texture or for a material's surface, another model for an object.
+    ChooseFile {
+        /// Whose parameter.
+        thing: Thing,
+        /// Which.
+        key: String,
+    },
     /// Render at full size and quality.
     StartRender,
     /// Stop that; the picture so far stays.
@@ -73,6 +83,26 @@ pub struct NewThing {
     pub list: ListName,
     /// The word of the kind: "sphere", "disc".
     pub kind: &'static str,
+}
+
+impl NewThing {
+    /// The word under which locales and icons know the kind.
+    #[must_use]
+    pub const fn kind_word(self) -> &'static str {
+        self.kind
+    }
+
+    /// Its icon.
+    #[must_use]
+    pub fn icon(self) -> &'static str {
+        icons::of_item(self.list, self.kind)
+    }
+
+    /// Whether it comes from a file, which must be chosen first.
+    #[must_use]
+    pub fn is_model(self) -> bool {
+        self.list == ListName::Object && self.kind == "mesh"
+    }
 }
 
 /// A window inside the window.

@@ -4,9 +4,15 @@
 //! for ([`action`]).
 
 pub mod action;
+pub mod dialogs;
+pub mod doctor;
 pub mod document;
 pub mod files;
 pub mod library;
+pub mod live;
+pub mod panels;
+pub mod shortcuts;
 pub mod text;
 pub mod theme;
+pub mod viewport;
 pub mod widgets;

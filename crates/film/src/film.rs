@@ -121,6 +121,12 @@ impl Film {
             .sum()
     }
 
+    /// How many samples each pixel of a tile has, tile by tile as [`Film::tiles`] gives them.
+    #[must_use]
+    pub fn tile_samples(&self) -> &[u32] {
+        &self.counts
+    }
+
     /// The mean of each pixel's samples; black where there is none.
     #[must_use]
     pub fn image(&self) -> Image {
@@ -153,6 +159,15 @@ pub struct Band<'a> {
 }
 
 impl Band<'_> {
+    /// Makes a row of tiles of another film the same as this one.
+    ///
+    /// # Panics
+    /// When it has another size.
+    pub fn copy_to(&self, other: &mut Band<'_>) {
+        other.sums.copy_from_slice(self.sums);
+        other.counts.copy_from_slice(self.counts);
+    }
+
     /// Adds the sums of `count` samples for each pixel of one of its tiles, row by row; `tile` counts from the left.
     ///
     /// Sums are of floats, so the order of calls for one tile matters to the last bit: the caller keeps it fixed.

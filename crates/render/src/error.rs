@@ -128,6 +128,9 @@ pub enum RenderError {
     /// The region is not a part of the picture.
     #[error(transparent)]
     Region(#[from] RegionError),
+    /// A film that another job has left.
+    #[error("the picture so far belongs to other settings")]
+    OtherFilm,
     /// The picture is too large.
     #[error("a picture of {width} × {height} pixels is too large: {limit} pixels at most")]
     TooLarge {

@@ -2,7 +2,7 @@
 //!
 //! The work is cut into pieces, a tile times a block of samples, which do not depend on the threads. Threads, the caller's
 //! among them, take pieces from a counter and add their sums to the film, each tile's blocks in order. So the picture is
-//! the same bytes for any number of threads.
+//! the same bytes for any number of threads, and a film says itself where a job that was stopped has to go on.
 
 use crate::compile::CompiledScene;
 use crate::error::RenderError;
@@ -91,41 +91,81 @@ impl<'a> RenderJob<'a> {
         Ok(Self { scene, settings, region })
     }
 
+    /// What there is before the first sample: the place where a job begins.
+    #[must_use]
+    pub fn nothing_yet(&self) -> Rendered {
+        Rendered { film: Film::new(self.region), is_complete: false, rays: 0 }
+    }
+
     /// Renders on so many threads, the caller's among them (0: all of the machine's), until done or cancelled. The picture does
     /// not depend on the number of threads. `progress` is called on the caller's thread, ten times a second at most and at the
     /// end.
     #[must_use]
     pub fn run(&self, threads: usize, cancel: &Cancel, progress: &mut dyn FnMut(Progress)) -> Rendered {
+        let plan = Plan::new(self.region, self.settings.samples);
+        let begun = vec![0; plan.tiles.len()];
+        self.go_on(&Begun { plan, blocks: begun }, self.nothing_yet(), (threads, cancel), &mut |glance| {
+            progress(glance.progress());
+        })
+    }
+
+    /// Goes on where this job, or one of the same scene and settings, was stopped. What comes out at last is the same bytes as
+    /// if it had never been, however often it was stopped and whatever the number of threads.
+    ///
+    /// `watch` is called as `progress` is by [`RenderJob::run`] and may have a look at the film.
+    ///
+    /// # Errors
+    /// When the film is none that this job can have left.
+    pub fn resume(
+        &self,
+        so_far: Rendered,
+        threads: usize,
+        cancel: &Cancel,
+        watch: &mut dyn FnMut(&Glance),
+    ) -> Result<Rendered, RenderError> {
+        let plan = Plan::new(self.region, self.settings.samples);
+        let blocks = plan.begun(&so_far.film).ok_or(RenderError::OtherFilm)?;
+        Ok(self.go_on(&Begun { plan, blocks }, so_far, (threads, cancel), watch))
+    }
+
+    fn go_on(
+        &self,
+        begun: &Begun,
+        so_far: Rendered,
+        (threads, cancel): (usize, &Cancel),
+        watch: &mut dyn FnMut(&Glance),
+    ) -> Rendered {
         let machine = || std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
         let threads = if threads == 0 { machine() } else { threads };
-        let plan = Plan::new(self.region, self.settings.samples);
-        let mut film = Film::new(self.region);
-        let merges = film.bands().map(|band| Mutex::new(Merge::new(band, plan.across))).collect();
+        let plan = &begun.plan;
+        let Rendered { mut film, rays, .. } = so_far;
+        let done = film.samples();
+        let rows = begun.blocks.chunks(plan.across);
+        let merges = film.bands().zip(rows).map(|(band, row)| Mutex::new(Merge::new(band, row))).collect();
         let desk = Desk {
-            plan: &plan,
+            begun,
             cancel,
             merges,
-            next: AtomicUsize::new(0),
-            samples: AtomicU64::new(0),
-            rays: AtomicU64::new(0),
+            next: AtomicUsize::new(begun.first_piece()),
+            samples: AtomicU64::new(done),
+            rays: AtomicU64::new(rays),
         };
-        let mut report = Report::new(plan.samples_total(), progress);
+        let mut report = Report { last: Instant::now(), watch };
         std::thread::scope(|scope| {
             for _ in 1..threads.min(plan.pieces()) {
-                scope.spawn(|| self.work(&desk, &mut |_| ()));
+                scope.spawn(|| self.work(&desk, &mut || ()));
             }
-            self.work(&desk, &mut |samples| report.tell(samples));
+            self.work(&desk, &mut || report.tell(&desk));
         });
+        report.finish(&desk);
         let (samples, rays) = (desk.samples.into_inner(), desk.rays.into_inner());
         drop(desk.merges);
-        report.finish(samples);
         Rendered { film, is_complete: samples == plan.samples_total(), rays }
     }
 
-    /// Takes pieces and adds them to the film, until there are none or the job is cancelled. Tells after each how many samples are
-    /// finished, those of all threads.
-    fn work(&self, desk: &Desk, tell: &mut dyn FnMut(u64)) {
-        let plan = desk.plan;
+    /// Takes pieces and adds them to the film, until there are none or the job is cancelled. Tells after each that it is done.
+    fn work(&self, desk: &Desk, tell: &mut dyn FnMut()) {
+        let plan = &desk.begun.plan;
         let mut workshop = Workshop::default();
         while !desk.cancel.is_cancelled() {
             let number = desk.next.fetch_add(1, Ordering::Relaxed);
@@ -133,24 +173,55 @@ impl<'a> RenderJob<'a> {
                 return;
             }
             let (tile, block) = plan.piece(number);
+            if block < desk.begun.blocks[tile] {
+                continue;
+            }
             let samples = plan.blocks[block].clone();
             let task =
                 TileTask { scene: self.scene, settings: &self.settings, tile: plan.tiles[tile], samples };
-            let (sums, rays) = workshop.fill(&task);
+            let Some((sums, rays)) = workshop.fill(&task, desk.cancel) else { return };
             let merge = &desk.merges[tile / plan.across];
             // A thread that panics takes the job with it, so what it leaves behind is never seen.
             let mut merge = merge.lock().unwrap_or_else(PoisonError::into_inner);
             let (samples, rays) = merge.add(plan, [tile, block], (sums, rays));
             drop(merge);
             desk.rays.fetch_add(rays, Ordering::Relaxed);
-            tell(desk.samples.fetch_add(samples, Ordering::Relaxed) + samples);
+            desk.samples.fetch_add(samples, Ordering::Relaxed);
+            tell();
         }
+    }
+}
+
+/// A look at a job while it runs.
+pub struct Glance<'a, 'f> {
+    desk: &'a Desk<'f>,
+}
+
+impl Glance<'_, '_> {
+    /// How far the job is.
+    #[must_use]
+    pub fn progress(&self) -> Progress {
+        Progress {
+            samples_done: self.desk.samples.load(Ordering::Relaxed),
+            samples_total: self.desk.begun.plan.samples_total(),
+        }
+    }
+
+    /// A copy of the film so far, each tile with whole blocks of samples: the job could go on from it. Threads wait for
+    /// no longer than copying their row of tiles takes.
+    #[must_use]
+    pub fn film(&self) -> Film {
+        let mut film = Film::new(self.desk.begun.plan.region);
+        for (merge, mut copy) in self.desk.merges.iter().zip(film.bands()) {
+            merge.lock().unwrap_or_else(PoisonError::into_inner).band.copy_to(&mut copy);
+        }
+        film
     }
 }
 
 /// What the threads of a job share.
 struct Desk<'a> {
-    plan: &'a Plan,
+    begun: &'a Begun,
     cancel: &'a Cancel,
     /// Rows of tiles.
     merges: Vec<Mutex<Merge<'a>>>,
@@ -162,8 +233,23 @@ struct Desk<'a> {
     rays: AtomicU64,
 }
 
+/// The work, and how much of it was done before.
+struct Begun {
+    plan: Plan,
+    /// How many blocks of each tile are in the film already.
+    blocks: Vec<usize>,
+}
+
+impl Begun {
+    /// No piece before it is left to do.
+    fn first_piece(&self) -> usize {
+        self.blocks.iter().min().copied().unwrap_or(0) * self.plan.tiles.len()
+    }
+}
+
 /// How the work is cut: by the picture alone.
 struct Plan {
+    region: Region,
     /// Row by row.
     tiles: Vec<Region>,
     /// Tiles in a row.
@@ -181,7 +267,7 @@ impl Plan {
             blocks.push(start..start + length);
             start += length;
         }
-        Self { tiles: Film::tiles(region).collect(), across: Film::tiles_across(region), blocks }
+        Self { region, tiles: Film::tiles(region).collect(), across: Film::tiles_across(region), blocks }
     }
 
     fn pieces(&self) -> usize {
@@ -191,6 +277,16 @@ impl Plan {
     /// All tiles of a block before the next block.
     fn piece(&self, number: usize) -> (usize, usize) {
         (number % self.tiles.len(), number / self.tiles.len())
+    }
+
+    /// How many whole blocks each tile of a film has; None when the film is another picture's.
+    fn begun(&self, film: &Film) -> Option<Vec<usize>> {
+        let whole = |samples: &u32| match samples {
+            0 => Some(0),
+            end => self.blocks.iter().position(|b| b.end == *end).map(|last| last + 1),
+        };
+        let is_same = film.region() == self.region;
+        is_same.then(|| film.tile_samples().iter().map(whole).collect()).flatten()
     }
 
     fn samples_total(&self) -> u64 {
@@ -207,8 +303,8 @@ struct Merge<'a> {
 }
 
 impl<'a> Merge<'a> {
-    fn new(band: Band<'a>, tiles: usize) -> Self {
-        Self { band, next_block: vec![0; tiles], waiting: BTreeMap::new() }
+    fn new(band: Band<'a>, blocks: &[usize]) -> Self {
+        Self { band, next_block: blocks.to_vec(), waiting: BTreeMap::new() }
     }
 
     /// Takes the sums and the number of rays of a piece. Gives the samples and the rays of what has been added to the film.
@@ -238,25 +334,21 @@ impl<'a> Merge<'a> {
 
 /// Tells the caller how far the job is, not too often.
 struct Report<'a> {
-    total: u64,
     last: Instant,
-    progress: &'a mut dyn FnMut(Progress),
+    watch: &'a mut dyn FnMut(&Glance),
 }
 
-impl<'a> Report<'a> {
-    fn new(total: u64, progress: &'a mut dyn FnMut(Progress)) -> Self {
-        Self { total, last: Instant::now(), progress }
-    }
-
-    fn tell(&mut self, samples: u64) {
+impl Report<'_> {
+    fn tell(&mut self, desk: &Desk) {
         if self.last.elapsed() >= REPORT_EVERY {
+            self.finish(desk);
+            // What the caller does with it does not count.
             self.last = Instant::now();
-            self.finish(samples);
         }
     }
 
-    fn finish(&mut self, samples: u64) {
-        (self.progress)(Progress { samples_done: samples, samples_total: self.total });
+    fn finish(&mut self, desk: &Desk) {
+        (self.watch)(&Glance { desk });
     }
 }
 

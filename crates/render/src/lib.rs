@@ -8,9 +8,11 @@ mod compile;
 mod error;
 mod integrators;
 mod job;
+mod pick;
 mod samplers;
 mod surface;
 
 pub use compile::{CompileOptions, CompiledScene, compile, compile_with, memory_limit};
 pub use error::{CompileError, ModelFlaw, RenderError};
-pub use job::{Cancel, Progress, RenderJob, RenderOptions, Rendered};
+pub use job::{Cancel, Glance, Progress, RenderJob, RenderOptions, Rendered};
+pub use pick::{NO_OBJECT, Picked};

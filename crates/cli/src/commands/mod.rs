@@ -3,6 +3,8 @@
 mod bench;
 mod check;
 mod completions;
+#[cfg(feature = "editor")]
+mod edit;
 mod info;
 mod man;
 mod render;
@@ -11,7 +13,9 @@ mod sweep;
 mod templates;
 
 use crate::failure::{Exit, Failure};
-use crate::{console, events, report};
+#[cfg(not(feature = "editor"))]
+use crate::console;
+use crate::{events, report};
 use clap::{Parser, Subcommand};
 use std::ffi::OsString;
 use std::process::ExitCode;
@@ -24,9 +28,11 @@ pub use bench::{Curve, Measured};
     name = "vitrine",
     version,
     about = "Pictures of scenes behind glass",
-    long_about = "Vitrine makes pictures of scenes that stand behind transparent surfaces. A scene is a text file, \
-                  NAME.vitrine.toml; `vitrine render` makes its picture.",
+    long_about = "Vitrine makes pictures of scenes that stand behind transparent surfaces. Without a command it opens the \
+                  window in which scenes are built. A scene is a text file, NAME.vitrine.toml; `vitrine render` makes \
+                  its picture.",
     after_help = "Begin with:\n  \
+                  vitrine                                              open the window\n  \
                   vitrine templates                                    see what there is\n  \
                   vitrine templates empty -o my.vitrine.toml           get a scene\n  \
                   vitrine render my.vitrine.toml                       make its picture, my.png\n\n\
@@ -39,6 +45,8 @@ pub struct Cli {
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    #[cfg(feature = "editor")]
+    Edit(edit::Edit),
     Render(Box<render::Render>),
     Check(check::Check),
     Info(info::Info),
@@ -53,6 +61,8 @@ enum Command {
 impl Command {
     fn run(self) -> Result<Exit, Failure> {
         match self {
+            #[cfg(feature = "editor")]
+            Self::Edit(command) => command.run(),
             Self::Render(command) => command.run(),
             Self::Check(command) => command.run(),
             Self::Info(command) => command.run(),
@@ -80,9 +90,12 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
             return if help_or_error.use_stderr() { Exit::Usage } else { Exit::Done }.into();
         }
     };
+    #[cfg(feature = "editor")]
+    let command = cli.command.unwrap_or(Command::Edit(edit::Edit::default()));
+    #[cfg(not(feature = "editor"))]
     let Some(command) = cli.command else {
         console::tell(
-            "Vitrine makes pictures of scenes behind glass.\n\n  \
+            "Vitrine makes pictures of scenes behind glass. This build of it has no window.\n\n  \
              vitrine render SCENE.vitrine.toml   make a picture\n  \
              vitrine templates                   scenes to begin with\n  \
              vitrine --help                      everything else",

@@ -2,7 +2,8 @@
 
 use crate::support::Folder;
 
-const COMMANDS: [&[&str]; 10] = [
+const COMMANDS: [&[&str]; 11] = [
+    &["edit"],
     &["render"],
     &["check"],
     &["info"],
@@ -15,11 +16,20 @@ const COMMANDS: [&[&str]; 10] = [
     &["man"],
 ];
 
+/// Whatever display there is, the program must believe that there is none.
 #[test]
-fn without_a_command_it_points_to_the_first_ones() {
-    let outcome = Folder::new().run(&[]);
-    outcome.fails(2, &["vitrine render", "--help"]);
-    assert_eq!(outcome.out, "");
+fn without_a_display_it_says_so_and_points_to_what_works() {
+    let folder = Folder::new();
+    for arguments in [&[][..], &["edit"]] {
+        let mut command = folder.command();
+        command.args(arguments).env_remove("DISPLAY").env_remove("WAYLAND_DISPLAY").env_remove("WAYLAND_SOCKET");
+        let output = command.output().unwrap();
+        let told = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(1), "{told}");
+        assert!(told.contains("window") && told.contains("vitrine render"), "{told}");
+        assert!(!told.contains("panicked"), "{told}");
+        assert!(output.stdout.is_empty());
+    }
 }
 
 #[test]

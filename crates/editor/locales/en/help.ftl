@@ -1,1 +1,93 @@
-## Help and the guided tour.
+# Help: shortcuts, glossary, guided tour, about.
+
+help-shortcuts-title = Keyboard shortcuts
+help-shortcuts-mouse = Mouse in the picture
+help-shortcuts-mouse-select = Click
+    .what = Select the thing
+help-shortcuts-mouse-focus = Double click
+    .what = Bring it to the middle
+help-shortcuts-mouse-orbit = Drag with the right button
+    .what = Walk around the scene
+help-shortcuts-mouse-pan = Drag with the middle button
+    .what = Move the picture
+help-shortcuts-mouse-zoom = Wheel
+    .what = Nearer or farther
+shortcut-section-file = File
+shortcut-section-edit = Edit
+shortcut-section-view = View
+shortcut-section-render = Picture
+shortcut-new = New scene
+shortcut-open = Open
+shortcut-save = Save
+shortcut-save-as = Save as
+shortcut-save-picture = Save picture
+shortcut-quit = Quit
+shortcut-undo = Undo
+shortcut-redo = Redo
+shortcut-cut = Cut
+shortcut-copy = Copy
+shortcut-paste = Paste
+shortcut-duplicate = Duplicate
+shortcut-delete = Delete
+shortcut-rename = Rename
+shortcut-select-all = Select all
+shortcut-group = Group
+shortcut-ungroup = Ungroup
+shortcut-hide = Show or hide
+shortcut-drop = Set down on the floor
+shortcut-frame = Bring to the middle
+shortcut-frame-all = Show everything
+shortcut-move = Move handles
+shortcut-turn = Turn handles
+shortcut-size = Size handles
+shortcut-escape = Select nothing, let go of a drag
+shortcut-start = Start render
+shortcut-stop = Stop render
+shortcut-settings = Settings
+shortcut-help = Keyboard shortcuts
+
+help-glossary-title = Glossary
+help-glossary-search = Search
+    .tooltip = Type a part of a word in either language
+help-glossary-search-hint = Find a term in English or Russian
+help-glossary-nothing = No term contains “{ $text }”
+help-glossary-count = { $count ->
+        [one] { $count } term
+       *[other] { $count } terms
+    }
+
+help-about-title = About Vitrine
+help-about-version = Version { $version }
+help-about-text = Scenes behind transparent surfaces: build them, watch them being ray-traced, save the picture.
+help-about-own = Vitrine is free software under the licences MIT and Apache 2.0, at your choice.
+help-about-parts = It is made with
+help-about-part-egui = The window
+help-about-part-inter = The font of the window
+help-about-part-phosphor = The icons
+help-about-part-fluent = Texts in several languages
+help-about-part-toml = Scene files
+help-about-part-images = Picture files
+help-about-part-glam = Vectors and matrices
+
+tour-title = First picture in 60 seconds
+tour-step = Step { $step } of { $all }
+tour-skip = Skip
+    .tooltip = Go on to the next step
+tour-close = Close
+    .tooltip = End the tour. You find it again under Help
+tour-again = Once more
+    .tooltip = Begin the tour from the start
+tour-finish = Finish
+    .tooltip = Close the tour
+tour-add = Add a ball
+    .text = Press “Sphere” in the toolbar. It appears in the scene and stands on the floor.
+tour-paint = Make it red glass
+    .text = Click “Red glass” in the strip of materials, or drag it onto the ball.
+tour-move = Move it
+    .text = Drag the ball in the picture. It stays on the floor, and the picture follows at once.
+tour-render = Render the picture
+    .text = Press “Start render”: now the picture is computed at full size and quality.
+tour-save = Save the picture
+    .text = Press “Picture”, choose where, and save it.
+tour-done = Your first picture is ready
+    .text = That is all there is to it. Try the lights next: a larger disc lamp makes softer shadows.

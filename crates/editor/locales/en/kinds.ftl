@@ -1,1 +1,29 @@
 ## Names of kinds and of choices.
+
+kind-sphere = Sphere
+kind-box = Box
+kind-plane = Plane
+kind-triangle = Triangle
+kind-mesh = Model
+kind-object-disc = Disc
+
+kind-ambient = Everywhere light (ambient)
+kind-point = Bulb (point)
+kind-directional = Sunlight (directional)
+kind-disc = Disc lamp
+
+kind-picture = Picture
+kind-checker = Chessboard
+
+kind-object = Object
+kind-light = Light
+kind-group = Group
+kind-material = Material
+kind-texture = Pattern
+kind-camera = Camera
+kind-settings = Picture
+
+choice-renderer-classic = With mirrors and shadows
+choice-renderer-cast = Ray casting only
+choice-wrap-repeat = Repeat
+choice-wrap-clamp = Outermost colours

@@ -1,1 +1,26 @@
-## The list of things in the scene.
+# The list of what is in the scene.
+list-title = Scene
+list-search = Find by name
+    .tooltip = Show only what has these letters in its name
+list-show = Show { $name }
+    .tooltip = It is hidden: click to show it
+list-hide = Hide { $name }
+    .tooltip = It is shown: click to hide it
+list-open-group = Show what is in { $name }
+    .tooltip = Show what is in the group
+list-close-group = Fold { $name }
+    .tooltip = Hide the group's rows; the picture stays as it is
+list-camera = Camera
+list-select = Click to select, with Ctrl to add, double click to rename
+list-row-camera = Click to see where the camera stands and looks
+list-add = Add
+    .tooltip = Choose what to add and set all of its properties
+list-edit = Edit
+    .tooltip = Open the dialog with all properties of the selected thing
+list-duplicate = Duplicate
+    .tooltip = Put a copy beside what is selected
+list-delete = Delete
+    .tooltip = Delete what is selected
+list-nothing-found = Nothing has this name
+list-new-name = New name of { $name }
+    .tooltip = Enter keeps the new name, Esc the old one

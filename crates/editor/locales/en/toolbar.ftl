@@ -1,1 +1,22 @@
-## The toolbar.
+# The row of tools under the menu.
+toolbar-new = New
+toolbar-open = Open
+toolbar-save = Save
+toolbar-sphere = Sphere
+    .tooltip = Add a sphere where the camera looks
+toolbar-box = Box
+    .tooltip = Add a box where the camera looks
+toolbar-plane = Plane
+    .tooltip = Add a plane
+toolbar-triangle = Triangle
+    .tooltip = Add a triangle where the camera looks
+toolbar-disc = Disc
+    .tooltip = Add a flat round disc where the camera looks
+toolbar-model = Model
+    .tooltip = Load a model of triangles from an OBJ file
+toolbar-light = Light
+    .tooltip = Add a light
+toolbar-start = Start
+toolbar-stop = Stop
+toolbar-continue = Continue
+toolbar-picture = Picture

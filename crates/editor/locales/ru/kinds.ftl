@@ -1,1 +1,29 @@
 ## Names of kinds and of choices.
+
+kind-sphere = Сфера
+kind-box = Параллелепипед
+kind-plane = Плоскость
+kind-triangle = Треугольник
+kind-mesh = Модель
+kind-object-disc = Диск
+
+kind-ambient = Окружающее освещение
+kind-point = Точечный источник
+kind-directional = Направленный источник
+kind-disc = Дисковый источник
+
+kind-picture = Картинка
+kind-checker = Шахматная доска
+
+kind-object = Объект
+kind-light = Источник света
+kind-group = Группа
+kind-material = Материал
+kind-texture = Узор
+kind-camera = Камера
+kind-settings = Картинка
+
+choice-renderer-classic = С отражениями и тенями
+choice-renderer-cast = Только бросание лучей
+choice-wrap-repeat = Повторять
+choice-wrap-clamp = Крайние цвета

@@ -1,1 +1,22 @@
-## The toolbar.
+# Ряд кнопок под меню.
+toolbar-new = Новая
+toolbar-open = Открыть
+toolbar-save = Сохранить
+toolbar-sphere = Сфера
+    .tooltip = Добавить сферу туда, куда смотрит камера
+toolbar-box = Параллелепипед
+    .tooltip = Добавить параллелепипед туда, куда смотрит камера
+toolbar-plane = Плоскость
+    .tooltip = Добавить плоскость
+toolbar-triangle = Треугольник
+    .tooltip = Добавить треугольник туда, куда смотрит камера
+toolbar-disc = Диск
+    .tooltip = Добавить плоский круглый диск туда, куда смотрит камера
+toolbar-model = Модель
+    .tooltip = Загрузить модель из треугольников из файла OBJ
+toolbar-light = Свет
+    .tooltip = Добавить источник света
+toolbar-start = Начать
+toolbar-stop = Остановить
+toolbar-continue = Продолжить
+toolbar-picture = Картинка

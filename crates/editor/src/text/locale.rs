@@ -19,6 +19,7 @@ macro_rules! locale_files {
 // The register: one line for each file, which stands in both languages.
 locale_files! {
     "app"
+    "chooser"
     "common"
     "dialogs"
     "doctor"

@@ -1,5 +1,7 @@
 //! The icons, by what they mean.
 
+use vitrine::scene::ListName;
+
 pub use egui_phosphor::regular::{
     ARROW_CLOCKWISE as REDO, ARROW_COUNTER_CLOCKWISE as UNDO, ARROW_LINE_DOWN as DROP_TO_FLOOR,
     ARROWS_CLOCKWISE as TURN, ARROWS_OUT_CARDINAL as MOVE, BOOK_OPEN as GLOSSARY, CAMERA,
@@ -8,13 +10,19 @@ pub use egui_phosphor::regular::{
     CROSSHAIR as FOCUS, CUBE as BOX, CUBE_FOCUS as MODEL, DOTS_THREE as MORE,
     DOWNLOAD_SIMPLE as SAVE_PICTURE, EYE as SHOWN, EYE_SLASH as HIDDEN, FILE_PLUS as NEW,
     FLOPPY_DISK as SAVE, FOLDER as GROUP, FOLDER_OPEN as OPEN, GEAR as SETTINGS, GRADUATION_CAP as TOUR,
-    HEARTBEAT as DOCTOR, IMAGE as PICTURE, INFO, KEYBOARD as SHORTCUTS, LIGHTBULB as POINT, LOCK,
-    LOCK_OPEN as UNLOCK, MAGNIFYING_GLASS as SEARCH, PAINT_BUCKET as PAINT, PALETTE as MATERIAL,
-    PARALLELOGRAM as PLANE, PENCIL_SIMPLE as RENAME, PLAY as START, PLUS as ADD, QUESTION as HELP,
-    RESIZE as SIZE, SCISSORS as CUT, SLIDERS_HORIZONTAL as EDIT, SPHERE, STACK as DUPLICATE, STOP,
-    SUN as DIRECTIONAL, SUN_DIM as AMBIENT, TRANSLATE as LANGUAGE, TRASH as DELETE, TRIANGLE, WARNING,
-    X as CLOSE,
+    HEARTBEAT as DOCTOR, IMAGE as PICTURE, INFO, KEYBOARD as SHORTCUTS, LAMP_PENDANT as DISC_LAMP,
+    LIGHTBULB as POINT, LOCK, LOCK_OPEN as UNLOCK, MAGNIFYING_GLASS as SEARCH, PAINT_BUCKET as PAINT,
+    PALETTE as MATERIAL, PARALLELOGRAM as PLANE, PENCIL_SIMPLE as RENAME, PLAY as START, PLUS as ADD,
+    QUESTION as HELP, RESIZE as SIZE, SCISSORS as CUT, SLIDERS_HORIZONTAL as EDIT, SPHERE,
+    STACK as DUPLICATE, STOP, SUN as DIRECTIONAL, SUN_DIM as AMBIENT, TRANSLATE as LANGUAGE, TRASH as DELETE,
+    TRIANGLE, WARNING, X as CLOSE,
 };
+
+/// The icon of a kind of a list's entries: a "disc" among the lights is a lamp, among the objects it is not.
+#[must_use]
+pub fn of_item(list: ListName, word: &str) -> &'static str {
+    if list == ListName::Light && word == "disc" { DISC_LAMP } else { of_kind(word) }
+}
 
 /// The icon of a kind of object, light or texture, or of a part of the scene, by its word.
 #[must_use]

@@ -20,6 +20,8 @@ pub struct Primitive {
     pub form: Form,
     /// Its place.
     pub transform: Transform,
+    /// The index of its object in the scene.
+    pub object: u32,
     /// The index of its first material.
     pub material: u32,
     /// Whether a mesh's triangles choose among materials from the first on.
@@ -110,7 +112,7 @@ pub fn collect(
 ) -> Result<Collection, CompileError> {
     let mut all = Collection { models, ..Collection::default() };
     let places = scene.group_places();
-    for object in scene.objects.iter().filter(|o| places.is_seen(o)) {
+    for (index, object) in scene.objects.iter().enumerate().filter(|(_, o)| places.is_seen(o)) {
         let missing = || CompileError::MissingModel { object: object.name.clone() };
         let geometry = object.shape.as_kind().geometry(assets).ok_or_else(missing)?;
         let (materials, by_triangle) = match (&object.material, &geometry) {
@@ -133,7 +135,7 @@ pub fn collect(
         let (form, bounds) = all.form(object, geometry, &transform)?;
         all.bounds = all.bounds.union(bounds);
         all.collected.materials.push(MaterialSlots { first: material, by_triangle });
-        all.primitives.push(Primitive { form, transform, material, by_triangle });
+        all.primitives.push(Primitive { form, transform, object: index as u32, material, by_triangle });
     }
     Ok(all)
 }

@@ -17,6 +17,7 @@ use crate::accel::rays::Rays;
 use crate::accel::simd::{Kernel, Simd};
 use crate::accel::{BLOCK, HitBlock, HitStream, NOTHING, RayBlock};
 use crate::compile::CompiledScene;
+use crate::job::Cancel;
 use crate::samplers::in_pixel;
 use crate::surface::{HitLanes, Seen};
 use vitrine_math::Rgb;
@@ -51,12 +52,15 @@ pub struct Waves {
 }
 
 impl Waves {
-    /// The sums of a tile's samples, row by row, and the number of rays.
-    pub fn fill(&mut self, task: &TileTask, reach: Reach) -> (&[Rgb], u64) {
+    /// The sums of a tile's samples, row by row, and the number of rays. None when it was cancelled between two samples.
+    pub fn fill(&mut self, task: &TileTask, reach: Reach, cancel: &Cancel) -> Option<(&[Rgb], u64)> {
         self.order.fit(&task.tile);
         self.sums.reset(task.tile.pixels());
         let mut rays = 0;
         for sample in task.samples.clone() {
+            if cancel.is_cancelled() {
+                return None;
+            }
             self.mirrored.clear();
             self.onward.clear();
             let (order, wave) = (&self.order, &mut self.onward);
@@ -73,7 +77,7 @@ impl Waves {
             }
         }
         self.sums.show(&self.order, &mut self.picture);
-        (&self.picture, rays)
+        Some((&self.picture, rays))
     }
 
     /// Traces a wave; gives the number of rays.

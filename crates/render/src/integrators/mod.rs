@@ -6,7 +6,10 @@ mod soft;
 mod tile;
 mod wave;
 
+pub use wave::lanes_below;
+
 use crate::compile::CompiledScene;
+use crate::job::Cancel;
 use vitrine_film::Region;
 use vitrine_math::Rgb;
 use vitrine_scene::{Renderer, Settings};
@@ -31,12 +34,13 @@ pub struct Workshop {
 }
 
 impl Workshop {
-    /// The sums of the samples for each pixel of the tile, row by row, and how many rays that took.
-    pub fn fill(&mut self, task: &TileTask) -> (&[Rgb], u64) {
+    /// The sums of the samples for each pixel of the tile, row by row, and how many rays that took. None when it was cancelled
+    /// in between.
+    pub fn fill(&mut self, task: &TileTask, cancel: &Cancel) -> Option<(&[Rgb], u64)> {
         let reach = match task.settings.renderer {
             Renderer::Classic => classic::Reach::Recursive,
             Renderer::Cast => classic::Reach::CameraOnly,
         };
-        self.classic.fill(task, reach)
+        self.classic.fill(task, reach, cancel)
     }
 }

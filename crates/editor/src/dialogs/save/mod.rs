@@ -1,0 +1,9 @@
+//! «Save picture».
+
+mod draft;
+mod form;
+
+pub use draft::{
+    CurrentPicture, PictureFormat, PictureSource, RENDERERS, SaveDraft, SaveFlaw, SavePictureRequest,
+};
+pub use form::SaveDialog;
