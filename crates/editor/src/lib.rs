@@ -4,6 +4,7 @@
 //! for ([`action`]).
 
 pub mod action;
+pub mod app;
 pub mod dialogs;
 pub mod doctor;
 pub mod document;
@@ -16,3 +17,5 @@ pub mod text;
 pub mod theme;
 pub mod viewport;
 pub mod widgets;
+
+pub use app::{Editor, LaunchError, Pace, WINDOW_SIZE, run};

@@ -217,3 +217,4 @@ dialog-problems-select = { $text }
     .tooltip = Select the thing that is meant
 dialog-problems-error = Error
 dialog-problems-warning = Remark
+dialog-error-many = { $count } things are wrong in this file

@@ -220,3 +220,4 @@ dialog-problems-select = { $text }
     .tooltip = Выделить предмет, о котором речь
 dialog-problems-error = Ошибка
 dialog-problems-warning = Замечание
+dialog-error-many = В этом файле ошибок: { $count }

@@ -6,13 +6,14 @@ use crate::action::{Action, NewThing, Screen};
 use crate::dialogs::tour::Tour;
 use crate::dialogs::{Around, Browse, CurrentPicture, Dialog, Reply, ThingDialog};
 use crate::document::{
-    Addition, Aim, CameraMove, EditCommand, Thing, bounds_of, bounds_of_all, copy, new_thing,
+    Addition, Aim, CameraMove, EditCommand, Thing, bounds_of, bounds_of_all, copy, free_name, new_thing,
 };
 use crate::files::Config;
 use crate::live::{FinalState, Request};
 use crate::text::{self, kind_name, tr};
 use crate::theme;
 use eframe::egui::{Context, Event, ViewportCommand};
+use std::path::Path;
 use vitrine::scene::ListName;
 
 impl Editor {
@@ -37,7 +38,7 @@ impl Editor {
             Action::Redo => drop(self.document.redo()),
             Action::Select(_) | Action::ToggleSelect(_) | Action::SelectAll => self.select(action),
             Action::Cut | Action::Copy | Action::Paste => self.use_clipboard(ctx, &action),
-            Action::Frame(things) => self.frame(&things),
+            Action::Frame(things) => self.bring_to_middle(&things),
             Action::AddQuick(new) => {
                 let addition = self.new_thing(new);
                 self.edit(EditCommand::Add(addition));
@@ -60,7 +61,7 @@ impl Editor {
                 self.unless_unsaved(Action::NewFrom(name.clone()), |editor| editor.begin_with(&name));
             }
             Action::Open => {
-                let folder = self.document.path().and_then(std::path::Path::parent).map(Into::into);
+                let folder = self.document.path().and_then(Path::parent).map(Path::to_owned);
                 self.chooser.open(Purpose::OpenScene, folder.as_deref(), "");
             }
             Action::OpenFile(path) if is_scene(&path) => {
@@ -126,7 +127,7 @@ impl Editor {
     }
 
     /// Brings things to the middle of the picture; all of them when none are named.
-    fn frame(&mut self, things: &[Thing]) {
+    fn bring_to_middle(&mut self, things: &[Thing]) {
         let (scene, assets) = (self.document.scene(), self.document.assets());
         let bounds = match things {
             [] => bounds_of_all(scene, assets),
@@ -143,7 +144,8 @@ impl Editor {
     /// A new thing with good defaults, where the camera looks, named in the person's language.
     fn new_thing(&self, new: NewThing) -> Addition {
         let (scene, assets) = (self.document.scene(), self.document.assets());
-        new_thing(scene, assets, (new.list, new.kind), Aim::View, &kind_name(new.kind_word()))
+        let name = free_name(scene, new.list, &kind_name(new.kind_word()));
+        new_thing(scene, assets, new.list, new.kind, Aim::View).named(&name)
     }
 
     fn open_dialog(&mut self, action: Action) {
@@ -241,8 +243,8 @@ impl Editor {
                 self.document.forget_changes();
                 self.actions.push(*action);
             }
-            Reply::Recover(file) => self.recover(&file),
-            Reply::ForgetRecovery(file) => self.forget_recovery(&file),
+            Reply::Recover => self.recover(),
+            Reply::ForgetRecovery => self.forget_recovery(),
             Reply::Reload(path) => {
                 self.document.forget_changes();
                 self.open_file(path);
@@ -253,7 +255,7 @@ impl Editor {
     }
 }
 
-fn is_scene(path: &std::path::Path) -> bool {
+fn is_scene(path: &Path) -> bool {
     let extension = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
     !matches!(extension.as_str(), "obj" | "png" | "jpg" | "jpeg")
 }

@@ -1,6 +1,6 @@
 //! Opening the window, and saying what is missing when there is none to be had.
 
-use super::Editor;
+use super::{Editor, Pace};
 use crate::files::Places;
 use eframe::egui;
 use std::any::Any;
@@ -42,12 +42,12 @@ pub fn run(scene: Option<PathBuf>) -> Result<(), LaunchError> {
     let hook = panic::take_hook();
     panic::set_hook(Box::new(|_| {}));
     let is_open = AtomicBool::new(false);
-    let places = Places::of_this_person();
+    let places = Places::of_machine();
     let ended = panic::catch_unwind(AssertUnwindSafe(|| {
         let open = |creation: &eframe::CreationContext<'_>| {
             panic::set_hook(hook);
             is_open.store(true, Ordering::Relaxed);
-            Ok(Box::new(Editor::new(&creation.egui_ctx, places, scene)) as Box<dyn eframe::App>)
+            Ok(Box::new(Editor::new(&creation.egui_ctx, places, scene, Pace::Threads)) as Box<dyn eframe::App>)
         };
         eframe::run_native("vitrine", options, Box::new(open))
     }));

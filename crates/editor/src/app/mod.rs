@@ -102,7 +102,7 @@ impl Editor {
         if let Err(error) = &autosave {
             notices.error(crate::tr!("app-no-autosave", reason = error.to_string()));
         }
-        Self {
+        let mut editor = Self {
             document: first_document(),
             is_choosing: true,
             has_begun: false,
@@ -129,7 +129,9 @@ impl Editor {
             actions: scene.map(Action::OpenFile).into_iter().collect(),
             wake,
             may_close: false,
-        }
+        };
+        editor.ask_about_recovery();
+        editor
     }
 
     /// What is being edited.
@@ -154,7 +156,8 @@ impl Editor {
         let ctx = ui.ctx().clone();
         self.carry_out(&ctx);
         self.take_dropped_files(&ctx);
-        if !self.is_choosing && self.tour_has_room(&ctx) {
+        // Keys belong to the chooser while it is open.
+        if !self.is_choosing && !self.chooser.is_open() {
             shortcuts::asked_for(&ctx, &self.document, &mut self.actions);
         }
         self.draw(ui);
@@ -165,11 +168,6 @@ impl Editor {
         self.doctor.look(&self.document, self.live.picture().as_ref());
         self.offer_autosave();
         self.answer_closing(&ctx);
-    }
-
-    /// Keys belong to the chooser while it is open.
-    fn tour_has_room(&self, _ctx: &Context) -> bool {
-        !self.chooser.is_open()
     }
 
     /// Dialogs, the chooser, the tour and notices, over everything else.
@@ -199,7 +197,7 @@ impl Editor {
     }
 
     fn take_dropped_files(&mut self, ctx: &Context) {
-        let dropped = ctx.input(|i| i.raw.dropped_files.iter().filter_map(|f| f.path.clone()).collect::<Vec<_>>());
+        let dropped = ctx.input(|i| i.raw.dropped_files.iter().map(|f| f.path().to_owned()).collect::<Vec<_>>());
         self.actions.extend(dropped.into_iter().map(Action::OpenFile));
     }
 

@@ -4,7 +4,7 @@ use super::Editor;
 use crate::dialogs::{Dialog, ErrorReport, Failure, PictureSource, SaveDialog, SavePictureRequest};
 use crate::document::Document;
 use crate::files::{Task, TaskState, Wake};
-use crate::live::{FinalImage, FinalState};
+use crate::live::{FinalImage, FinalState, Request};
 use crate::text::tr;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -88,7 +88,7 @@ impl Editor {
             return;
         }
         let scene = Scene { settings: request.settings.clone(), ..Scene::clone(self.document.scene()) };
-        let wanted = self.viewport.request_of(Arc::new(scene), self.document.assets().clone());
+        let wanted = Request { scene: Arc::new(scene), ..self.final_request() };
         self.picture.waiting = Some((request, metadata));
         self.live.start_final(wanted);
     }

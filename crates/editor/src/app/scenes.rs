@@ -1,14 +1,16 @@
 //! Opening, saving and adding from files, each on another thread while the window goes on.
 
 use super::chooser::Purpose;
-use super::{Editor, notices};
+use super::Editor;
 use crate::action::Action;
 use crate::dialogs::{Changed, Dialog, ErrorReport, Failure, LoadedModel, ModelDialog, Unsaved};
-use crate::document::{Document, EditCommand, Thing};
+use crate::document::{Document, EditCommand, Thing, cover};
 use crate::files::{
     NewAsset, OpenError, Opened, SaveError, SaveRequest, Saved, Seen, Task, TaskState, read_model, read_picture,
     read_scene, read_template, save,
 };
+use crate::panels::list::ListState;
+use crate::panels::properties::PropertiesState;
 use crate::text::tr;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -43,6 +45,18 @@ enum Addend {
     PictureForDialog,
     /// A picture, for what is selected.
     PictureForSelection,
+}
+
+impl Scenes {
+    /// What the scene's file said last.
+    pub fn seen(&self) -> Option<Seen> {
+        self.seen.clone()
+    }
+
+    /// Notes what the scene's file said.
+    pub fn set_seen(&mut self, seen: Option<Seen>) {
+        self.seen = seen;
+    }
 }
 
 impl Editor {
@@ -194,9 +208,11 @@ impl Editor {
     pub(super) fn show_document(&mut self, document: Document) {
         self.document = document;
         self.is_choosing = false;
+        self.has_begun = true;
         self.dialog = None;
-        self.forget_panels();
-        self.autosave.forget();
+        self.list = ListState::default();
+        self.properties = PropertiesState::default();
+        self.forget_autosave();
     }
 
     fn look_after_saving(&mut self) {
@@ -216,7 +232,7 @@ impl Editor {
                 self.document.take_saved(path.clone(), saved, &scene);
                 self.recent.add(&path);
                 self.keep_recent();
-                self.autosave.forget();
+                self.forget_autosave();
                 self.notices.success(tr!("app-saved", name = self.document.title().unwrap_or_default()));
                 self.actions.extend(self.scenes.after_save.take());
             }
@@ -277,9 +293,8 @@ impl Editor {
             self.notices.info(tr!("app-picture-for-nothing"));
             return;
         }
-        if let Some(material) = self.document.covered(&things, file) {
-            self.edit(EditCommand::Paint { things, material: Box::new(material) });
-        }
+        let material = Box::new(cover(self.document.scene(), &things, file));
+        self.edit(EditCommand::Paint { things, material });
     }
 
     pub(super) fn selected_objects(&self) -> Vec<Thing> {
@@ -315,7 +330,7 @@ impl Editor {
     /// Makes an edit, or says why not.
     pub(super) fn edit(&mut self, command: EditCommand) {
         if let Err(error) = self.document.apply(command) {
-            self.notices.error(notices::words(&error.message()));
+            self.notices.refused(&error);
         }
     }
 }

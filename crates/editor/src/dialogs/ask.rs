@@ -39,8 +39,6 @@ impl Unsaved {
 /// A scene that was saved by itself before the program ended.
 #[derive(Clone)]
 pub struct Recovery {
-    /// The file that holds it.
-    pub file: PathBuf,
     /// The scene's name.
     pub name: String,
     /// When it was saved, in words that fit into a sentence: "3 minutes ago".
@@ -52,15 +50,15 @@ pub struct Recovery {
 
 impl fmt::Debug for Recovery {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Recovery").field("file", &self.file).field("name", &self.name).finish_non_exhaustive()
+        f.debug_struct("Recovery").field("name", &self.name).finish_non_exhaustive()
     }
 }
 
 impl Recovery {
     /// See the fields.
     #[must_use]
-    pub const fn new(file: PathBuf, name: String, when: String, picture: Option<ColorImage>) -> Self {
-        Self { file, name, when, picture, texture: None }
+    pub const fn new(name: String, when: String, picture: Option<ColorImage>) -> Self {
+        Self { name, when, picture, texture: None }
     }
 
     pub(super) fn show(&mut self, ctx: &Context) -> Outcome {
@@ -73,8 +71,8 @@ impl Recovery {
         });
         match verdict {
             Verdict::Open => Outcome::Stay(None),
-            Verdict::Accept => Outcome::Close(Some(Reply::Recover(self.file.clone()))),
-            Verdict::Other => Outcome::Close(Some(Reply::ForgetRecovery(self.file.clone()))),
+            Verdict::Accept => Outcome::Close(Some(Reply::Recover)),
+            Verdict::Other => Outcome::Close(Some(Reply::ForgetRecovery)),
             Verdict::Cancel => Outcome::Close(None),
         }
     }

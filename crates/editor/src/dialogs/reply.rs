@@ -16,9 +16,9 @@ pub enum Reply {
     /// Do what waits; the changes are lost.
     DropThen(Box<Action>),
     /// Open the scene that was saved by itself before the program ended.
-    Recover(PathBuf),
+    Recover,
     /// Delete it.
-    ForgetRecovery(PathBuf),
+    ForgetRecovery,
     /// Read the open scene again from the disc.
     Reload(PathBuf),
     /// Keep the scene as it is here.

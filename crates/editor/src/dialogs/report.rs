@@ -2,6 +2,7 @@
 
 use super::Outcome;
 use super::frame::{self, Buttons, Caption, Shell, Verdict};
+use crate::files::{FileProblem, OpenError, TextPlace};
 use crate::text::tr;
 use crate::theme;
 use eframe::egui::text::LayoutJob;
@@ -62,6 +63,25 @@ impl ErrorReport {
     pub fn new(failure: Failure, message: impl Into<String>, help: impl Into<String>) -> Self {
         let (message, help) = (message.into(), help.into());
         Self { failure, message, path: None, lines: Vec::new(), help, has_copied: false }
+    }
+
+    /// Why a file was not opened: everything that is wrong, with the lines.
+    #[must_use]
+    pub fn of_open(failure: Failure, error: &OpenError) -> Self {
+        let mut problems = error.problems();
+        let mut report = match &mut problems[..] {
+            [only] => Self::new(failure, std::mem::take(&mut only.message), std::mem::take(&mut only.help)),
+            all => Self::new(failure, tr!("dialog-error-many", count = all.len() + error.more()), ""),
+        };
+        report.path = Some(error.path.clone());
+        let bad_line = |problem: FileProblem| {
+            let TextPlace { line, text, marked, .. } = problem.place?;
+            let byte = |at: usize| text.char_indices().nth(at).map_or(text.len(), |(byte, _)| byte);
+            let mark = byte(marked.start)..byte(marked.end);
+            Some(BadLine { number: line, text, mark, message: problem.message, help: problem.help })
+        };
+        report.lines = problems.into_iter().filter_map(bad_line).collect();
+        report
     }
 
     /// What an error of a file says, with its lines.

@@ -7,6 +7,8 @@ mod view;
 
 pub use problems::{ProblemLine, problems};
 
+use vitrine::film::ViewTransform;
+use vitrine::math::Rgb;
 use crate::document::{Document, EditCommand, Message, Thing};
 
 /// How bright the picture is that a person sees: which shares of its pixels, 0 to 1 each, are as good as black, as good as
@@ -22,6 +24,19 @@ pub struct Brightness {
 }
 
 impl Brightness {
+    /// Of a picture as it is shown: red, green, blue and opacity, 8 bits each. `background` is the scene's.
+    #[must_use]
+    pub fn of(rgba: &[u8], background: Rgb) -> Self {
+        let background = ViewTransform::Srgb.display(background).map(|v| (v * 255.0).round() as u8);
+        let count = |is_so: &dyn Fn(&[u8]) -> bool| rgba.chunks_exact(4).filter(|p| is_so(p)).count() as f32;
+        let all = (rgba.len() / 4).max(1) as f32;
+        Self {
+            black: count(&|p| p[..3].iter().all(|v| *v <= 4)) / all,
+            white: count(&|p| p[..3].iter().all(|v| *v >= 252)) / all,
+            background: count(&|p| p[..3].iter().zip(background).all(|(v, b)| v.abs_diff(b) <= 1)) / all,
+        }
+    }
+
     /// A share that makes a picture black, white or empty as a whole.
     const WHOLE: f32 = 0.97;
     /// A share of white that is no highlight any more.

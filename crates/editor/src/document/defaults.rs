@@ -101,6 +101,12 @@ pub fn new_thing(scene: &Scene, assets: &Assets, list: ListName, kind: &str, aim
     }
 }
 
+/// A name that nothing in the list has: this one, or with a number.
+#[must_use]
+pub fn free_name(scene: &Scene, list: ListName, name: &str) -> String {
+    Names::of(scene, list).take(name)
+}
+
 /// A new object that is a model from a file, which is among the assets already: as large as it is, unless that is far too
 /// small or too large for the picture.
 #[must_use]
@@ -108,7 +114,7 @@ pub fn new_model(scene: &Scene, assets: &Assets, file: &str, aim: Aim) -> Additi
     let site = Site::of(scene, assets, aim);
     let name = Path::new(file).file_stem().map_or("model".into(), |stem| stem.to_string_lossy().into_owned());
     let shape = Shape::Mesh(Mesh { file: file.to_owned(), ..Mesh::default() });
-    let mut object = Object { name: unique(scene, ListName::Object, &name), shape, ..Object::default() };
+    let mut object = Object { name: free_name(scene, ListName::Object, &name), shape, ..Object::default() };
     let size = object_bounds(&object, &Transform::default(), assets).size().max_element();
     if size > 0.0 && !(site.height / 20.0..=site.height).contains(&size) {
         object.scale = Vec3::splat(two_digits(site.height / 3.0 / size));
@@ -131,7 +137,7 @@ fn new_object(scene: &Scene, assets: &Assets, kind: &str, site: &Site) -> Option
         }
         Shape::Plane(_) | Shape::Mesh(_) => {}
     }
-    let name = unique(scene, ListName::Object, kind);
+    let name = free_name(scene, ListName::Object, kind);
     let mut object = Object { name, shape, turn_deg, ..Object::default() };
     if let Shape::Plane(_) = object.shape {
         place_plane(&mut object, scene, assets, site);
@@ -214,7 +220,7 @@ fn new_light(scene: &Scene, kind: &str, site: &Site) -> Option<Addition> {
         (_, true) => 0.4,
         (_, false) => 0.7,
     };
-    let name = unique(scene, ListName::Light, kind);
+    let name = free_name(scene, ListName::Light, kind);
     let light = Light { name, source, intensity, ..Light::default() };
     Some(Addition { lights: vec![light], ..Addition::default() })
 }
@@ -228,7 +234,7 @@ fn fresh_material(scene: &Scene, name: &str) -> Material {
     let colors: Vec<Rgb> = PALETTE.iter().filter_map(|hex| Rgb::from_hex(hex).ok()).collect();
     let uses = |color: &Rgb| scene.materials.iter().filter(|m| m.color == Some(*color)).count();
     Material {
-        name: unique(scene, ListName::Material, name),
+        name: free_name(scene, ListName::Material, name),
         color: colors.into_iter().min_by_key(uses),
         diffuse: Some(0.8),
         specular: Some(0.3),
@@ -237,10 +243,6 @@ fn fresh_material(scene: &Scene, name: &str) -> Material {
         transparency: Some(0.0),
         ..Material::default()
     }
-}
-
-fn unique(scene: &Scene, list: ListName, name: &str) -> String {
-    Names::of(scene, list).take(name)
 }
 
 /// The nearest multiple of the power of ten at or below the step.

@@ -4,6 +4,7 @@
 use super::Selection;
 use super::patch::Patch;
 use std::collections::VecDeque;
+use std::path::{Path, PathBuf};
 use vitrine::scene::Scene;
 
 /// A gesture that goes on: all that is done during one drag, or while one field is being typed in, is one step.
@@ -80,6 +81,11 @@ impl History {
         step.patch.redo(scene);
         self.done += 1;
         Some(step.selection[1].clone())
+    }
+
+    /// Writes other paths of models and pictures into all steps.
+    pub fn rename_files(&mut self, to: impl Fn(&Path) -> PathBuf + Copy) {
+        self.steps.iter_mut().for_each(|step| step.patch.rename_files(to));
     }
 
     /// How many steps can be undone.

@@ -5,12 +5,14 @@ mod asset_files;
 mod bounds;
 mod clipboard;
 mod command;
+mod cover;
 mod defaults;
 mod edits;
 mod error;
 mod history;
 mod message;
 mod patch;
+mod saving;
 mod selection;
 mod thing;
 
@@ -19,7 +21,8 @@ pub use bounds::{bounds_of, bounds_of_all};
 pub(crate) use bounds::{object_bounds, plane_level};
 pub use clipboard::copy;
 pub use command::{Addition, CameraMove, EditCommand, Paint};
-pub use defaults::{Aim, new_model, new_thing, orbit_center};
+pub use cover::cover;
+pub use defaults::{Aim, free_name, new_model, new_thing, orbit_center};
 pub use error::{EditError, allowed, problem};
 pub use history::{Gesture, History};
 pub use message::Message;
@@ -120,15 +123,6 @@ impl Document {
         self.file.print(&self.scene)
     }
 
-    /// The same text with other paths of models and pictures, for a file in another folder: `rename` says how each path of
-    /// the scene is to be written.
-    #[must_use]
-    pub fn text_with_paths(&self, rename: impl Fn(&Path) -> PathBuf) -> String {
-        let mut scene = Scene::clone(&self.scene);
-        asset_files::rename(&mut scene, rename);
-        self.file.print(&scene)
-    }
-
     /// Grows with every change of the scene, so that others know when to look again.
     #[must_use]
     pub const fn revision(&self) -> u64 {
@@ -139,18 +133,6 @@ impl Document {
     #[must_use]
     pub const fn is_changed(&self) -> bool {
         self.is_changed
-    }
-
-    /// Notes that this state of the scene has been written: `file` is what stands on the disc now. If it names models and
-    /// pictures as the scene does, they are looked for in its folder from now on.
-    pub fn mark_saved(&mut self, path: PathBuf, file: SceneFile, scene: Arc<Scene>) {
-        if asset_files::are_same(file.scene(), &scene) {
-            self.folder = folder_of(&path);
-        }
-        self.path = Some(path);
-        self.file = file;
-        self.saved = Some(scene);
-        self.compare_with_saved();
     }
 
     /// Notes that this scene stands in no file: it was recovered after a crash.
@@ -222,9 +204,7 @@ impl Document {
         if let Some(problem) = first_error {
             return Err(EditError::Scene(problem.cause));
         }
-        if let Some((assets, warnings)) = asset_files::load_new(&scene, self)? {
-            self.provide(assets, warnings);
-        }
+        self.load_what_is_new(&scene)?;
         self.history.note([&self.scene, &scene], [self.selection.clone(), selection.clone()], gesture);
         self.scene = Arc::new(scene);
         self.selection = selection;

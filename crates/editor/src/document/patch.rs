@@ -1,7 +1,9 @@
 //! The difference between two states of a scene: the runs of entries that changed, and nothing of what stayed. So a step
 //! takes as much memory as what it touched, however large the scene is and wherever in its lists the changes are.
 
+use super::asset_files::rename_in;
 use std::collections::HashMap;
+use std::path::{Path, PathBuf};
 use vitrine::scene::{Camera, Group, Item, Light, Material, Object, Scene, Settings, Texture};
 
 /// A run of entries that was replaced by another, either of them perhaps empty.
@@ -135,6 +137,12 @@ impl Patch {
         self.materials.apply(&mut scene.materials, way);
         self.groups.apply(&mut scene.groups, way);
         self.objects.apply(&mut scene.objects, way);
+    }
+
+    /// Writes other paths of models and pictures into what it holds.
+    pub(super) fn rename_files(&mut self, to: impl Fn(&Path) -> PathBuf + Copy) {
+        self.textures.0.iter_mut().flat_map(|run| &mut run.entries).for_each(|e| rename_in(e, to));
+        self.objects.0.iter_mut().flat_map(|run| &mut run.entries).for_each(|e| rename_in(e, to));
     }
 
     /// How many entries it holds: what it costs.

@@ -111,6 +111,7 @@ impl Autosave {
 
     /// There is nothing to lose: the scene has been saved, or is as it was read.
     pub fn forget(&mut self) {
+        self.last_offer = None;
         self.send(Message::Forget);
     }
 

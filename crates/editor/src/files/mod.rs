@@ -4,7 +4,6 @@ mod autosave;
 mod config;
 mod open;
 mod own_file;
-mod picture;
 mod places;
 mod problem;
 mod recent;
@@ -20,7 +19,6 @@ pub use open::{
     NewAsset, Opened, Seen, complete_assets, read_model, read_picture, read_scene, read_template,
 };
 pub use own_file::OwnFileWarning;
-pub use picture::{PictureFormat, PictureOptions, RenderRate};
 pub use places::{HOME_VARIABLE, Places};
 pub use problem::{FileProblem, OpenError, TextPlace};
 pub use recent::{Recent, RecentFile};

@@ -1,6 +1,6 @@
 //! Where the program keeps its own files.
 
-use directories::ProjectDirs;
+use directories::{ProjectDirs, UserDirs};
 use std::path::{Path, PathBuf};
 
 /// The variable of the environment that names one folder for all of it: portable installations, tests.
@@ -13,6 +13,8 @@ pub struct Places {
     config: PathBuf,
     /// What can be lost: recent files, scenes to recover.
     state: PathBuf,
+    /// Whether all is in one folder, the person's pictures and documents too.
+    is_portable: bool,
 }
 
 impl Places {
@@ -26,6 +28,7 @@ impl Places {
             Some(folders) => Self {
                 config: folders.config_dir().to_owned(),
                 state: folders.state_dir().unwrap_or(folders.data_local_dir()).to_owned(),
+                is_portable: false,
             },
             // A person without a home keeps things as long as the machine runs.
             None => Self::inside(&std::env::temp_dir().join("vitrine")),
@@ -35,7 +38,7 @@ impl Places {
     /// Everything in one folder.
     #[must_use]
     pub fn inside(folder: &Path) -> Self {
-        Self { config: folder.to_owned(), state: folder.join("state") }
+        Self { config: folder.to_owned(), state: folder.join("state"), is_portable: true }
     }
 
     /// The file of the settings.
@@ -48,6 +51,24 @@ impl Places {
     #[must_use]
     pub fn recent_file(&self) -> PathBuf {
         self.state.join("recent.toml")
+    }
+
+    /// The folder in which a person looks for pictures: the platform's own, else the one in which the program was started.
+    #[must_use]
+    pub fn pictures_folder(&self) -> PathBuf {
+        self.persons_folder(UserDirs::picture_dir)
+    }
+
+    /// The folder in which a person looks for documents, likewise.
+    #[must_use]
+    pub fn documents_folder(&self) -> PathBuf {
+        self.persons_folder(UserDirs::document_dir)
+    }
+
+    fn persons_folder(&self, of: fn(&UserDirs) -> Option<&Path>) -> PathBuf {
+        let dirs = (!self.is_portable).then(UserDirs::new).flatten();
+        let own = dirs.as_ref().and_then(|d| of(d).filter(|f| f.is_dir()).or_else(|| Some(d.home_dir())));
+        own.map_or_else(|| self.config.clone(), Path::to_owned)
     }
 
     /// The folder of scenes to recover.

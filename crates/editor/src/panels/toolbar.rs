@@ -3,6 +3,7 @@
 use super::menu::lights_ui;
 use super::{Around, RenderState};
 use crate::action::{Action, Actions, NewThing};
+use crate::dialogs::tour;
 use crate::shortcuts;
 use crate::text::{kind_name, tr, try_tr};
 use crate::theme::{self, icons};
@@ -66,7 +67,11 @@ fn add_ui(ui: &mut Ui, actions: &mut Actions) {
         let name = try_tr(&format!("toolbar-{word}")).unwrap_or_else(|| kind_name(word));
         let tooltip = try_tr(&format!("toolbar-{word}.tooltip"));
         let tooltip = tooltip.unwrap_or_else(|| tr!("menu-add-tooltip", name = name.as_str()));
-        if tool_button(ui, new.icon(), &name, &tooltip, "").clicked() {
+        let response = tool_button(ui, new.icon(), &name, &tooltip, "");
+        if word == "sphere" {
+            tour::mark(ui.ctx(), "add-sphere", response.rect);
+        }
+        if response.clicked() {
             actions.push(if new.is_model() { Action::LoadModel } else { Action::AddQuick(new) });
         }
     }
@@ -87,7 +92,9 @@ fn render_ui(ui: &mut Ui, around: &Around, actions: &mut Actions) {
         }
     };
     let (tooltip, shortcut) = (tr!(&format!("{about}.tooltip")), keys(ui, id));
-    if tool_button(ui, icon, &tr!(name), &tooltip, &shortcut).clicked() {
+    let response = tool_button(ui, icon, &tr!(name), &tooltip, &shortcut);
+    tour::mark(ui.ctx(), "start-render", response.rect);
+    if response.clicked() {
         actions.push(action);
     }
     if around.render == RenderState::Stopped
@@ -96,7 +103,9 @@ fn render_ui(ui: &mut Ui, around: &Around, actions: &mut Actions) {
         actions.push(Action::ContinueRender);
     }
     let (tooltip, shortcut) = (tr!("menu-save-picture.tooltip"), keys(ui, "save-picture"));
-    if tool_button(ui, icons::SAVE_PICTURE, &tr!("toolbar-picture"), &tooltip, &shortcut).clicked() {
+    let response = tool_button(ui, icons::SAVE_PICTURE, &tr!("toolbar-picture"), &tooltip, &shortcut);
+    tour::mark(ui.ctx(), "save-picture", response.rect);
+    if response.clicked() {
         actions.push(Action::SavePicture);
     }
 }

@@ -4,7 +4,7 @@ use super::terms::{Words, search};
 use crate::dialogs::Outcome;
 use crate::dialogs::frame::{self, Buttons, Shell, Verdict};
 use crate::text::{Language, language, tr};
-use crate::theme::{self, icons};
+use crate::theme;
 use crate::widgets::{empty_hint, search_field};
 use eframe::egui::{Context, Label, RichText, ScrollArea, Ui};
 

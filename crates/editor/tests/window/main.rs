@@ -1,0 +1,9 @@
+//! The whole window, driven by the names that a screen reader says, without a display and without a graphics card: each row
+//! of the course work's interface as a story.
+
+#[path = "../support/mod.rs"]
+mod support;
+
+mod course_work;
+mod looks;
+mod person;
