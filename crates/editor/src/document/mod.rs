@@ -20,6 +20,7 @@ pub(crate) use bounds::{object_bounds, plane_level};
 pub use clipboard::copy;
 pub use command::{Addition, CameraMove, EditCommand, Paint};
 pub use defaults::{Aim, new_model, new_thing, orbit_center};
+pub use edits::pivot_of;
 pub use error::{EditError, allowed, problem};
 pub use history::{Gesture, History};
 pub use message::Message;
