@@ -190,6 +190,18 @@ fn a_pile_is_set_down_as_a_pile_and_what_is_hidden_carries_nothing() {
 }
 
 #[test]
+fn small_things_fall_on_wide_ones_and_wide_ones_on_small_ones() {
+    let mut document = table("[400.0, 4.0, -300.0]");
+    let by = Vec3::new(1000.0, 1.0, 1000.0);
+    edit(&mut document, EditCommand::Resize { things: objects(["table"]), by });
+    edit(&mut document, EditCommand::DropToFloor(objects(["ball"])));
+    assert!(foot(&document, "ball").abs() < 1e-3);
+    edit(&mut document, EditCommand::Move { things: objects(["table"]), by: Vec3::Y * 50.0 });
+    edit(&mut document, EditCommand::DropToFloor(objects(["table"])));
+    assert!((foot(&document, "table") - 7.5).abs() < 1e-3, "on the ball that hangs at 7 m");
+}
+
+#[test]
 fn what_is_in_a_turned_group_is_set_down_in_the_world() {
     let mut document = shelf();
     edit(&mut document, turn(vec![Thing::group("shelf")], Axis::X, 40.0));
