@@ -50,15 +50,18 @@ pub fn rotation_from_turn(turn_deg: Vec3) -> Mat3 {
 /// the other way round.
 #[must_use]
 pub fn turn_from_rotation(r: Mat3) -> Vec3 {
-    // R = Rz·Ry·Rx, so the first column is (cz·cy, sz·cy, −sy).
-    let (x, y, z) = (r.x_axis, r.y_axis, r.z_axis);
-    let sin_y = (-x.z).clamp(-1.0, 1.0);
-    let turn = if sin_y.abs() < 0.999_999 {
-        Vec3::new(libm::atan2f(y.z, z.z), libm::asinf(sin_y), libm::atan2f(x.y, x.x))
-    } else {
-        // Turned along the axis of the first turn: the third can take its part.
-        Vec3::new(libm::atan2f(-z.y, y.y), libm::asinf(sin_y), 0.0)
-    };
+    // R = Rz·Ry·Rx, so the first column is (cz·cy, sz·cy, −sy), and below it stand (sx·cy, cx·cy).
+    let (first, second, third) = (r.x_axis, r.y_axis, r.z_axis);
+    let is_flat = second.z.abs().max(third.z.abs()) < 1e-6;
+    // Turned along the axis of the first turn, the first can take the third's part.
+    let x = if is_flat { libm::atan2f(-third.y, second.y) } else { libm::atan2f(second.z, third.z) };
+    // R·Rx⁻¹ = Rz·Ry turns Y into (−sz, cz, 0). Where cy is small x is uncertain, and so z makes up for it.
+    let (sx, cx) = libm::sincosf(x);
+    let y_turned = second * cx - third * sx;
+    let z = if is_flat { 0.0 } else { libm::atan2f(-y_turned.x, y_turned.y) };
+    let (sz, cz) = libm::sincosf(z);
+    let y = libm::atan2f(-first.z, first.x * cz + first.y * sz);
+    let turn = Vec3::new(x, y, z);
     turn * 180.0 / std::f32::consts::PI
 }
 
@@ -176,6 +179,13 @@ mod tests {
             let r = rotation_from_turn(turn);
             let again = rotation_from_turn(turn_from_rotation(r));
             assert!(again.abs_diff_eq(r, 2e-6), "{turn}: {again} instead of {r}");
+        }
+        // Also where a turn comes near the axis of the one before it.
+        for i in 0..2000 {
+            let turn = Vec3::new(i as f32 * 7.3, 89.5 + i as f32 * 5e-4, i as f32 * 3.1);
+            let r = rotation_from_turn(turn);
+            let again = rotation_from_turn(turn_from_rotation(r));
+            assert!(again.abs_diff_eq(r, 3e-6), "{turn}: {again} instead of {r}");
         }
     }
 

@@ -2,7 +2,6 @@
 
 use std::cell::RefCell;
 use std::collections::HashMap;
-use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::{Arc, Weak};
 use vitrine::math::Vec3;
 use vitrine::scene::TriangleMesh;
@@ -22,7 +21,7 @@ pub(super) fn is_closed(mesh: &Arc<TriangleMesh>) -> bool {
 
 fn find_out(mesh: &TriangleMesh) -> bool {
     // Vertices are split where normals or pictures meet: what counts is where they are.
-    let mut number_of: HashMap<u64, u32> = HashMap::new();
+    let mut number_of: HashMap<[u32; 3], u32> = HashMap::new();
     let numbers: Vec<u32> = mesh
         .positions
         .iter()
@@ -45,9 +44,7 @@ fn find_out(mesh: &TriangleMesh) -> bool {
     !mesh.triangles.is_empty() && edges.values().all(|sum| *sum == 0)
 }
 
-fn key(p: Vec3) -> u64 {
-    let mut hasher = DefaultHasher::new();
+fn key(p: Vec3) -> [u32; 3] {
     // Zero has two signs and is one place.
-    p.to_array().map(|v| (v + 0.0).to_bits()).hash(&mut hasher);
-    hasher.finish()
+    p.to_array().map(|v| (v + 0.0).to_bits())
 }

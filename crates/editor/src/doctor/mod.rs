@@ -67,3 +67,5 @@ pub fn diagnose(document: &Document, picture: Option<Brightness>) -> Vec<Diagnos
 
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod texts;

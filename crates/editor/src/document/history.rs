@@ -52,9 +52,12 @@ impl History {
             [selected_before, _] = last.selection;
             self.entries -= last.patch.len();
         }
-        self.entries += patch.len();
-        self.steps.push_back(Step { patch, selection: [selected_before, selected_after], gesture });
-        self.forget();
+        // A gesture that came back to where it began is no step.
+        if patch.len() > 0 {
+            self.entries += patch.len();
+            self.steps.push_back(Step { patch, selection: [selected_before, selected_after], gesture });
+            self.forget();
+        }
         self.done = self.steps.len();
     }
 

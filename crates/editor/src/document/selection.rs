@@ -3,18 +3,19 @@
 use super::Thing;
 use super::thing::Places;
 use std::collections::HashSet;
+use std::sync::Arc;
 use vitrine::scene::Scene;
 
-/// What is selected.
+/// What is selected. Clones share the list, so that a history of many steps holds it once.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Selection(Vec<Thing>);
+pub struct Selection(Arc<Vec<Thing>>);
 
 impl Selection {
     /// These things and no others.
     #[must_use]
     pub fn of(things: impl IntoIterator<Item = Thing>) -> Self {
         let mut seen = HashSet::new();
-        Self(things.into_iter().filter(|thing| seen.insert(thing.clone())).collect())
+        Self(Arc::new(things.into_iter().filter(|thing| seen.insert(thing.clone())).collect()))
     }
 
     /// The things, in the order in which they were chosen.
@@ -43,27 +44,33 @@ impl Selection {
 
     /// Selects one more.
     pub fn add(&mut self, thing: Thing) {
-        self.0.retain(|t| *t != thing);
-        self.0.push(thing);
+        let things = Arc::make_mut(&mut self.0);
+        things.retain(|t| *t != thing);
+        things.push(thing);
     }
 
     /// Selects it if it is not, and the other way round.
     pub fn toggle(&mut self, thing: Thing) {
-        if self.contains(&thing) {
-            self.0.retain(|t| *t != thing);
-        } else {
-            self.0.push(thing);
+        let things = Arc::make_mut(&mut self.0);
+        let count = things.len();
+        things.retain(|t| *t != thing);
+        if things.len() == count {
+            things.push(thing);
         }
     }
 
     /// Forgets what is no longer in the scene.
     pub fn keep_what_is_in(&mut self, scene: &Scene) {
         let mut places = Places::new(scene);
-        self.0.retain(|t| places.owner(t).is_some());
+        if self.0.iter().any(|t| places.owner(t).is_none()) {
+            Arc::make_mut(&mut self.0).retain(|t| places.owner(t).is_some());
+        }
     }
 
     /// Follows a thing to its new name.
     pub fn rename(&mut self, from: &Thing, to: &Thing) {
-        self.0.iter_mut().filter(|t| *t == from).for_each(|t| *t = to.clone());
+        if let Some(at) = self.0.iter().position(|t| t == from) {
+            Arc::make_mut(&mut self.0)[at] = to.clone();
+        }
     }
 }

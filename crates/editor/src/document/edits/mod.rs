@@ -15,6 +15,7 @@ mod set;
 mod stand;
 
 pub(super) use names::Names;
+pub use place::pivot_of;
 pub(super) use stand::Stand;
 
 use super::thing::Places;

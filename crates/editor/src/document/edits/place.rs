@@ -4,7 +4,7 @@ use super::Draft;
 use super::stand::{Stand, tidy_turn};
 use crate::document::{EditError, Thing};
 use vitrine::math::{Axis, Mat3, Transform, Vec3, rotation_from_turn, turn_from_rotation};
-use vitrine::scene::{ListName, Owner, Shape, Value};
+use vitrine::scene::{ListName, Owner, Scene, Shape, Value};
 
 impl Draft<'_> {
     /// Moves by metres along the world's axes.
@@ -110,16 +110,9 @@ impl Draft<'_> {
         Ok(owners.into_iter().map(|owner| (owner, places.world_from_group(outer(owner)))).collect())
     }
 
-    /// The point of a thing's own space that stays where it is when it is turned or scaled: its origin, or a triangle's
-    /// middle, for its corners may be anywhere.
+    /// The point of a thing that stays where it is when it is turned or scaled: in its own space, and around that.
     fn pivot(&self, owner: Owner, stand: &Stand) -> [Vec3; 2] {
-        let inside = match owner {
-            Owner::Item(ListName::Object, i) => match &self.scene.objects[i].shape {
-                Shape::Triangle(triangle) => triangle.points.iter().sum::<Vec3>() / 3.0,
-                _ => Vec3::ZERO,
-            },
-            _ => Vec3::ZERO,
-        };
+        let inside = own_pivot(&self.scene, owner);
         [inside, stand.place().point(inside)]
     }
 
@@ -137,6 +130,31 @@ impl Draft<'_> {
         self.set_one(owner, "position", Value::Vector(stand.position))?;
         self.set_one(owner, "turn_deg", Value::Vector(stand.turn_deg))?;
         self.set_one(owner, "scale", Value::Vector(stand.scale))
+    }
+}
+
+/// The point in the world about which a thing turns and grows, where its handles belong; None when it has no place.
+#[must_use]
+pub fn pivot_of(scene: &Scene, thing: &Thing) -> Option<Vec3> {
+    let owner = thing.owner(scene)?;
+    let Some(Value::Vector(position)) = scene.value(owner, "position") else { return None };
+    let group = match owner {
+        Owner::Item(ListName::Object, i) => scene.objects[i].group.as_deref(),
+        Owner::Item(ListName::Group, i) => scene.groups[i].group.as_deref(),
+        _ => None,
+    };
+    let inside = Stand::of(scene, owner).map(|stand| stand.place().point(own_pivot(scene, owner)));
+    Some(scene.group_places().world_from_group(group).point(inside.unwrap_or(position)))
+}
+
+/// The same in the thing's own space: its origin, or a triangle's middle, for its corners may be anywhere.
+fn own_pivot(scene: &Scene, owner: Owner) -> Vec3 {
+    match owner {
+        Owner::Item(ListName::Object, i) => match &scene.objects[i].shape {
+            Shape::Triangle(triangle) => triangle.points.iter().sum::<Vec3>() / 3.0,
+            _ => Vec3::ZERO,
+        },
+        _ => Vec3::ZERO,
     }
 }
 

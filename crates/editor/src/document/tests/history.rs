@@ -53,6 +53,26 @@ fn a_drag_is_one_step_and_the_next_drag_another() {
 }
 
 #[test]
+fn a_drag_that_comes_back_to_where_it_began_is_no_step() {
+    let mut document = shelf();
+    for r in [2.0, 3.0, 0.5] {
+        document.drag(radius(r), 1).unwrap();
+    }
+    assert_eq!((document.history().undoable(), document.history().entries()), (0, 0));
+    assert!(!document.undo() && !document.is_changed());
+}
+
+#[test]
+fn steps_share_what_is_selected() {
+    let mut document = shelf();
+    document.apply(radius(2.0)).unwrap();
+    let first = document.selection().things().as_ptr();
+    document.apply(radius(3.0)).unwrap();
+    document.undo();
+    assert_eq!(document.selection().things().as_ptr(), first, "one list for all steps");
+}
+
+#[test]
 fn a_drag_after_undoing_does_not_grow_a_step_that_is_undone() {
     let mut document = shelf();
     document.drag(radius(2.0), 7).unwrap();

@@ -1,7 +1,7 @@
 //! Moving, turning, scaling, setting down.
 
 use crate::document::tests::{assert_near, document_of, edit, object, objects, point, refused, shelf};
-use crate::document::{Document, EditCommand, EditError, Thing, bounds_of};
+use crate::document::{Document, EditCommand, EditError, Thing, bounds_of, pivot_of};
 use vitrine::math::{Axis, Mat3, Vec3};
 use vitrine::scene::{Shape, Value};
 
@@ -9,7 +9,7 @@ fn turn(things: Vec<Thing>, axis: Axis, angle_deg: f32) -> EditCommand {
     EditCommand::Turn { things, axis, angle_deg }
 }
 
-fn value(document: &Document, thing: Thing, key: &str) -> Vec3 {
+fn value(document: &Document, thing: &Thing, key: &str) -> Vec3 {
     match document.scene().value(thing.owner(document.scene()).unwrap(), key) {
         Some(Value::Vector(v)) => v,
         other => panic!("{key} is {other:?}"),
@@ -42,7 +42,7 @@ fn c14_objects_groups_lights_and_the_camera_move_along_the_worlds_axes() {
     let target = document.scene().camera.look_at.unwrap();
     edit(&mut document, EditCommand::Move { things, by });
     assert_near(point(&document, "ball", Vec3::ZERO), before + by);
-    assert_near(value(&document, Thing::light("lamp"), "position"), Vec3::new(2.0, 5.0, 3.0) + by);
+    assert_near(value(&document, &Thing::light("lamp"), "position"), Vec3::new(2.0, 5.0, 3.0) + by);
     assert_eq!(document.scene().camera.look_at, Some(target + by));
     for nothing in [Thing::light("sun"), Thing::material("glass"), Thing::Settings] {
         let command = EditCommand::Move { things: vec![nothing], by };
@@ -75,7 +75,7 @@ fn c14_things_turn_about_the_worlds_axes_through_their_own_centres() {
 fn c14_sunlight_turns_and_a_bulb_does_not() {
     let mut document = shelf();
     edit(&mut document, turn(vec![Thing::light("sun")], Axis::X, 90.0));
-    assert_near(value(&document, Thing::light("sun"), "direction"), Vec3::NEG_Z);
+    assert_near(value(&document, &Thing::light("sun"), "direction"), Vec3::NEG_Z);
     let command = turn(vec![Thing::light("lamp")], Axis::X, 90.0);
     assert_eq!(refused(&mut document, command), EditError::NotPossible);
     let command = turn(objects(["ball"]), Axis::X, f32::NAN);
@@ -117,7 +117,7 @@ fn c14_things_grow_along_their_own_axes() {
     edit(&mut document, resize(objects(["box"])));
     edit(&mut document, resize(vec![Thing::group("shelf")]));
     assert_eq!(object(&document, "box").scale, by);
-    assert_eq!(value(&document, Thing::group("shelf"), "scale"), by * 2.0);
+    assert_eq!(value(&document, &Thing::group("shelf"), "scale"), by * 2.0);
     let lamp = vec![Thing::light("lamp")];
     edit(&mut document, EditCommand::Resize { things: lamp, by: Vec3::splat(4.0) });
     assert!(document.text().contains("radius = 2.0"), "{}", document.text());
@@ -128,6 +128,18 @@ fn c14_things_grow_along_their_own_axes() {
     let huger = EditCommand::Resize { things: objects(["ball"]), by: Vec3::splat(10.0) };
     assert!(matches!(refused(&mut document, huger), EditError::Param { .. }));
     assert_eq!(refused(&mut document, resize(vec![Thing::Camera])), EditError::NotPossible);
+}
+
+#[test]
+fn the_pivot_stays_where_it_is() {
+    let mut document = shelf();
+    for thing in [Thing::object("box"), Thing::object("pane"), Thing::group("shelf"), Thing::Camera] {
+        let before = pivot_of(document.scene(), &thing).unwrap();
+        edit(&mut document, turn(vec![thing.clone()], Axis::X, 35.0));
+        assert_near(pivot_of(document.scene(), &thing).unwrap(), before);
+    }
+    assert_near(pivot_of(document.scene(), &Thing::light("lamp")).unwrap(), Vec3::new(2.0, 5.0, 3.0));
+    assert_eq!(pivot_of(document.scene(), &Thing::light("sun")), None);
 }
 
 /// A table of height 1 on a floor at −1, and a ball of radius 0.5 somewhere.
@@ -178,6 +190,18 @@ fn a_pile_is_set_down_as_a_pile_and_what_is_hidden_carries_nothing() {
 }
 
 #[test]
+fn small_things_fall_on_wide_ones_and_wide_ones_on_small_ones() {
+    let mut document = table("[400.0, 4.0, -300.0]");
+    let by = Vec3::new(1000.0, 1.0, 1000.0);
+    edit(&mut document, EditCommand::Resize { things: objects(["table"]), by });
+    edit(&mut document, EditCommand::DropToFloor(objects(["ball"])));
+    assert!(foot(&document, "ball").abs() < 1e-3);
+    edit(&mut document, EditCommand::Move { things: objects(["table"]), by: Vec3::Y * 50.0 });
+    edit(&mut document, EditCommand::DropToFloor(objects(["table"])));
+    assert!((foot(&document, "table") - 7.5).abs() < 1e-3, "on the ball that hangs at 7 m");
+}
+
+#[test]
 fn what_is_in_a_turned_group_is_set_down_in_the_world() {
     let mut document = shelf();
     edit(&mut document, turn(vec![Thing::group("shelf")], Axis::X, 40.0));
@@ -185,6 +209,8 @@ fn what_is_in_a_turned_group_is_set_down_in_the_world() {
     edit(&mut document, EditCommand::DropToFloor(objects(["ball"])));
     assert!(foot(&document, "ball").abs() < 1e-5);
     edit(&mut document, EditCommand::Show { things: objects(["box"]), visible: true });
+    let up = Vec3::new(0.0, 3.0, 0.0);
+    edit(&mut document, EditCommand::Move { things: vec![Thing::group("shelf")], by: up });
     edit(&mut document, EditCommand::DropToFloor(vec![Thing::group("shelf")]));
     let bounds = bounds_of(document.scene(), document.assets(), &[Thing::group("shelf")]);
     assert!(bounds.min.y.abs() < 1e-5, "{bounds:?}");
