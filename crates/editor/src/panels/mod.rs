@@ -1,9 +1,12 @@
 //! The parts of the window. Each draws what there is and says what a person asked for; none changes anything.
 
+pub mod gallery;
 pub mod list;
+pub mod materials;
 pub mod menu;
 pub mod properties;
 pub mod status;
+mod thumbnail;
 pub mod toolbar;
 
 use crate::document::{Document, Thing};
