@@ -100,7 +100,8 @@ fn every_template_is_one_click_away_and_the_empty_scene_comes_first() {
         for template in TEMPLATES {
             let title = tr!(&format!("template-{}", template.name));
             assert_ne!(title, format!("template-{}", template.name));
-            harness.get_by_label(&title).click();
+            // Also those further down.
+            harness.get_by_label(&title).click_accesskit();
             harness.run();
             let asked = std::mem::take(&mut harness.state_mut().asked);
             assert_eq!(asked, [Action::NewFrom(template.name.to_owned())], "{title}");

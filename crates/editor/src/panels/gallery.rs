@@ -73,7 +73,7 @@ pub fn gallery_ui(
     let theme = theme::of(ui);
     let sizes = &theme.sizes;
     let whole = ui.max_rect();
-    let margin = sizes.gap_xl * 1.5;
+    let margin = sizes.gap_xl;
     let side_width = sizes.properties_width + 2.0 * sizes.gap_xl;
     let (side, rest) = whole.split_left_right_at_x(whole.left() + side_width);
     ui.painter().rect_filled(side, CornerRadius::ZERO, theme.bar);
@@ -86,6 +86,8 @@ pub fn gallery_ui(
     ui.scope_builder(inside.layout(Layout::top_down(Align::Min)), |ui| {
         ScrollArea::vertical().auto_shrink(false).id_salt("gallery").show(ui, |ui| {
             ui.add_space(margin);
+            // The bar at the right has room of its own.
+            ui.set_max_width(ui.available_width() - sizes.gap_m);
             answer = answer.or(recoveries_ui(ui, state, model));
             cards_ui(ui, state, model, actions);
             ui.add_space(margin);
@@ -289,6 +291,9 @@ fn card_ui(ui: &mut Ui, name: &str, paint: impl FnOnce(&mut Ui, Rect, CornerRadi
         let (line, color) =
             if is_lit { (sizes.line_bold, theme.accent) } else { (sizes.line, theme.separator) };
         ui.painter().rect_stroke(rect, radius, Stroke::new(line, color), StrokeKind::Inside);
+    }
+    if response.gained_focus() {
+        response.scroll_to_me(None);
     }
     let enabled = ui.is_enabled();
     response.widget_info(|| WidgetInfo::labeled(WidgetType::Button, enabled, &title));

@@ -199,9 +199,17 @@ fn cell_ui(ui: &mut Ui, entry: &Entry, paint: impl FnOnce(&mut Ui, Rect, CornerR
         let (width, color) =
             if is_lit { (sizes.line_bold, theme.accent) } else { (sizes.line, theme.border) };
         ui.painter().rect_stroke(picture, radius, Stroke::new(width, color), StrokeKind::Inside);
+        // A name that the edge would cut through is left out until it is scrolled in.
+        let fits =
+            ui.clip_rect().x_range().contains(rect.left()) && ui.clip_rect().x_range().contains(rect.right());
         let at = rect.center_bottom() - vec2(name.size().x / 2.0, name.size().y);
         let color = if is_lit { theme.text_strong } else { theme.text };
-        ui.painter().galley_with_override_text_color(at, name, color);
+        if fits {
+            ui.painter().galley_with_override_text_color(at, name, color);
+        }
+    }
+    if response.gained_focus() {
+        response.scroll_to_me(None);
     }
     let enabled = ui.is_enabled();
     response.widget_info(|| WidgetInfo::labeled(WidgetType::Button, enabled, &entry.title));
