@@ -209,3 +209,15 @@ fn the_scenes_own_materials_come_first_and_shelves_part_the_library() {
     harness.run();
     assert!(harness.query_by_label("yellow").is_some() && harness.query_by_label("Gold").is_none());
 }
+
+#[test]
+fn a_picture_of_the_library_comes_with_its_material() {
+    let mut document = Screen::new(Language::English).document;
+    for key in ["material-wood", "material-brick", "material-gold"] {
+        let paint = materials().iter().find(|m| m.key() == key).unwrap().paint();
+        let things = vec![Thing::object("red ball")];
+        document.apply(EditCommand::Paint { things, material: Box::new(paint) }).unwrap();
+        vitrine::render::compile(document.scene(), document.assets()).unwrap();
+    }
+    assert_eq!(document.assets().pictures.len(), 2);
+}

@@ -1,9 +1,9 @@
 //! The models and pictures that a scene names by path.
 
 use super::{Document, EditError};
+use crate::files::complete_assets;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
-use vitrine::formats::load_assets;
 use vitrine::scene::{Assets, Item, Object, Scene, Texture, Value};
 
 /// The key under which shapes and textures keep the path of their file.
@@ -24,8 +24,12 @@ pub(super) fn load_new(
     let known: BTreeSet<&Path> = files(&before).collect();
     wanted.objects.retain(|o| o.shape.as_kind().file().is_some_and(|f| !known.contains(f)));
     wanted.textures.retain(|t| t.source.as_kind().file().is_some_and(|f| !known.contains(f)));
-    let loaded = load_assets(&wanted, &document.folder);
-    loaded.map(Some).map_err(|error| EditError::File { reason: error.to_string(), help: error.help() })
+    // The library's own pictures come out of the program.
+    let mut assets = Assets::default();
+    match complete_assets(&mut assets, &wanted, Some(&document.folder)) {
+        Ok(notes) => Ok(Some((assets, notes))),
+        Err(error) => Err(EditError::File { reason: error.to_string(), help: error.help() }),
+    }
 }
 
 /// What names a file that is not among the assets.
