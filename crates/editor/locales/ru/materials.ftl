@@ -1,1 +1,13 @@
-## The strip of materials.
+## Полоса материалов.
+
+materials-search = Поиск материала
+    .tooltip = Слова, описывающие нужный материал: стекло, зелёный, металл
+materials-all = Все
+materials-scene = В сцене
+materials-shelf = Показать эти материалы: { $name }
+materials-none = По этим словам материалов не найдено
+materials-needs-selection = Сначала выделите объект или перетащите на него материал
+materials-own =
+    .tooltip = Материал сцены «{ $name }». Щёлкните, чтобы назначить его выделенному, или перетащите на предмет.
+materials-library =
+    .tooltip = { $about } Щёлкните, чтобы назначить выделенному, или перетащите на предмет.

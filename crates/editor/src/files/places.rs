@@ -20,7 +20,7 @@ pub struct Places {
 impl Places {
     /// Those of this machine and person: the folder that `VITRINE_HOME` names, else the platform's own.
     #[must_use]
-    pub fn of_machine() -> Self {
+    pub fn of_this_person() -> Self {
         if let Some(home) = std::env::var_os(HOME_VARIABLE).filter(|home| !home.is_empty()) {
             return Self::inside(Path::new(&home));
         }

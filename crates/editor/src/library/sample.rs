@@ -10,8 +10,14 @@ use vitrine::scene::{Assets, Picture, Scene, Settings};
 use vitrine::templates::Template;
 use vitrine::{Cancel, RenderJob, RenderOptions};
 
-/// A template's picture, pixels.
-const TEMPLATE_SIZE: [u32; 2] = [240, 180];
+/// How much care is taken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Care {
+    /// For eyes.
+    Fine,
+    /// For tests: there at once, and rough.
+    Quick,
+}
 
 /// A ball of the material. `picture` is the one that its texture names; without it the program's own is looked for.
 pub(super) fn of_material(paint: &Paint, picture: Option<Arc<Picture>>) -> Option<ThumbnailImage> {
@@ -34,15 +40,19 @@ pub(super) fn of_material(paint: &Paint, picture: Option<Arc<Picture>>) -> Optio
 }
 
 /// What a template shows, small.
-pub(super) fn of_template(name: &str) -> Option<ThumbnailImage> {
+pub(super) fn of_template(name: &str, care: Care) -> Option<ThumbnailImage> {
     let template = Template::find(name)?;
     let mut scene = SceneFile::parse(Path::new(name), template.text()).ok()?.into_scene();
     let mut assets = Assets::default();
     add_carried(&mut assets, &scene);
     // A small picture needs no more.
+    let (size, samples) = match care {
+        Care::Fine => ([240, 180], 3),
+        Care::Quick => ([120, 90], 1),
+    };
     scene.settings = Settings {
-        size: TEMPLATE_SIZE,
-        samples: 3,
+        size,
+        samples,
         depth: scene.settings.depth.min(3),
         shadow_points: scene.settings.shadow_points.min(16),
         ..scene.settings
@@ -82,7 +92,7 @@ mod tests {
 
     #[test]
     fn a_template_has_a_picture_and_an_unknown_one_has_none() {
-        assert_eq!(of_template("empty").unwrap().size, [240, 180]);
-        assert_eq!(of_template("none"), None);
+        assert_eq!(of_template("empty", Care::Fine).unwrap().size, [240, 180]);
+        assert_eq!(of_template("none", Care::Quick), None);
     }
 }

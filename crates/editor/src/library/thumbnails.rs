@@ -1,13 +1,13 @@
 //! Small pictures of materials and templates: asked for by whoever draws them, made one after another on a thread of their
 //! own, kept in memory.
 
-use super::sample;
+use super::sample::{self, Care};
 use crate::document::Paint;
 use crate::files::Wake;
 use std::collections::HashMap;
 use std::path::Path;
 use std::sync::mpsc::{self, Receiver, Sender};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::thread;
 use vitrine::Image;
 use vitrine::film::ViewTransform;
@@ -73,10 +73,10 @@ enum Order {
 }
 
 impl Order {
-    fn make(&self) -> Option<ThumbnailImage> {
+    fn make(&self, care: Care) -> Option<ThumbnailImage> {
         match self {
             Self::Material(paint, picture) => sample::of_material(paint, picture.clone()),
-            Self::Template(name) => sample::of_template(name),
+            Self::Template(name) => sample::of_template(name, care),
         }
     }
 }
@@ -103,10 +103,12 @@ impl Thumbnails {
         Self { shelf, orders: started.is_ok().then_some(orders) }
     }
 
-    /// Pictures are made while the caller waits, so a test sees them at once.
+    /// Pictures are made while the caller waits, so a test sees them at once; those of templates are rough.
+    /// All that are made so share one shelf, for they are the same for all tests of a program.
     #[must_use]
     pub fn immediate() -> Self {
-        Self { shelf: Shelf::default(), orders: None }
+        static SHELF: OnceLock<Shelf> = OnceLock::new();
+        Self { shelf: SHELF.get_or_init(Shelf::default).clone(), orders: None }
     }
 
     /// The picture of a material: a ball of it. None until it has been made. `assets` are the scene's.
@@ -144,7 +146,7 @@ impl Thumbnails {
             return there.clone();
         }
         let Some(orders) = &self.orders else {
-            let made = order().make().map(Arc::new);
+            let made = order().make(Care::Quick).map(Arc::new);
             shelf.insert(key, made.clone());
             return made;
         };
@@ -162,7 +164,7 @@ fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 /// The thread: until the pictures' owner is gone.
 fn make_all(inbox: &Receiver<(String, Order)>, shelf: &Shelf, wake: &Wake) {
     while let Ok((key, order)) = inbox.recv() {
-        if let Some(image) = order.make() {
+        if let Some(image) = order.make(Care::Fine) {
             lock(shelf).insert(key, Some(Arc::new(image)));
             wake();
         }
@@ -210,7 +212,7 @@ mod tests {
         let start = Instant::now();
         assert_eq!(thumbnails.template("none"), None);
         assert!(start.elapsed() < Duration::from_secs(1));
-        assert_eq!(lock(&thumbnails.shelf).len(), 1);
+        assert_eq!(lock(&thumbnails.shelf).get("template none"), Some(&None));
     }
 
     #[test]

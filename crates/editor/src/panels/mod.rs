@@ -6,6 +6,7 @@ pub mod materials;
 pub mod menu;
 pub mod properties;
 pub mod status;
+mod thumbnail;
 pub mod toolbar;
 
 use crate::document::{Document, Thing};
