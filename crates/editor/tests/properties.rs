@@ -37,11 +37,8 @@ fn document() -> Document {
         ..Object::default()
     };
     let of = |name: &str, shape: Shape| Object { name: name.into(), shape, ..Object::default() };
-    let lamp = Light {
-        name: "lamp".into(),
-        source: LightSource::Disc(lights::Disc::default()),
-        ..Light::default()
-    };
+    let lamp =
+        Light { name: "lamp".into(), source: LightSource::Disc(lights::Disc::default()), ..Light::default() };
     let addition = Addition {
         objects: vec![
             ball("Ball", 0.0),
@@ -247,7 +244,11 @@ fn nothing_is_clipped_and_everything_is_named_in_every_language_and_size() {
                 let place = format!("properties-{name}-{}-{large_text}", language.tag());
                 support::picture(&mut harness, &place);
                 assert_eq!(support::labels_clipped(&harness), Vec::<String>::new(), "{place}");
-                assert_eq!(support::controls_without_name_or_tooltip(&harness), Vec::<String>::new(), "{place}");
+                assert_eq!(
+                    support::controls_without_name_or_tooltip(&harness),
+                    Vec::<String>::new(),
+                    "{place}"
+                );
             }
         }
     }

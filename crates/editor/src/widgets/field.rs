@@ -2,11 +2,9 @@
 
 use crate::document::Gesture;
 use crate::theme;
-use eframe::egui::text::LayoutJob;
 use crate::tr;
-use eframe::egui::{
-    Align, FontId, Id, Label, Layout, Response, RichText, Sense, TextFormat, Ui, vec2,
-};
+use eframe::egui::text::LayoutJob;
+use eframe::egui::{Align, FontId, Id, Label, Layout, Response, RichText, Sense, TextFormat, Ui, vec2};
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// The words of a control, and what its value stands for.

@@ -117,6 +117,11 @@ pub(super) fn box_width(ui: &Ui) -> f32 {
     theme::of(ui).sizes.control * 3.5
 }
 
+/// How wide it is beside a slider.
+pub(super) fn value_width(ui: &Ui) -> f32 {
+    theme::of(ui).sizes.control * 2.3
+}
+
 pub(super) fn box_id(ui: &Ui, label: &str) -> Id {
     ui.make_persistent_id(("number", label))
 }
