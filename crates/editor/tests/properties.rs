@@ -49,6 +49,7 @@ fn document() -> Document {
         lights: vec![lamp],
         materials: vec![glass],
         textures: vec![Texture { name: "tiles".into(), ..Texture::default() }],
+        ..Addition::default()
     };
     document.apply(EditCommand::Add(addition)).unwrap();
     document
@@ -242,7 +243,9 @@ fn nothing_is_clipped_and_everything_is_named_in_every_language_and_size() {
                 }
                 harness.run();
                 let place = format!("properties-{name}-{}-{large_text}", language.tag());
-                support::picture(&mut harness, &place);
+                if !large_text {
+                    support::picture(&mut harness, &place);
+                }
                 assert_eq!(support::labels_clipped(&harness), Vec::<String>::new(), "{place}");
                 assert_eq!(
                     support::controls_without_name_or_tooltip(&harness),

@@ -3,8 +3,10 @@
 use crate::document::Gesture;
 use crate::theme;
 use crate::tr;
-use eframe::egui::text::LayoutJob;
-use eframe::egui::{Align, FontId, Id, Label, Layout, Response, RichText, Sense, TextFormat, Ui, vec2};
+use eframe::egui::text::{CCursor, CCursorRange, LayoutJob};
+use eframe::egui::{
+    Align, FontId, Id, Label, Layout, Response, RichText, Sense, TextEdit, TextFormat, Ui, vec2,
+};
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// The words of a control, and what its value stands for.
@@ -124,6 +126,14 @@ pub(super) fn labelled<R>(
         control(ui, width)
     })
     .inner
+}
+
+/// Selects all of a line's text, so that typing replaces it.
+pub(super) fn select_all(ui: &Ui, id: Id, text: &str) {
+    let mut state = TextEdit::load_state(ui, id).unwrap_or_default();
+    let range = CCursorRange::two(CCursor::default(), CCursor::new(text.chars().count()));
+    state.cursor.set_char_range(Some(range));
+    state.store(ui, id);
 }
 
 /// Says why what was typed has not been taken, if a control with this id has noted that.

@@ -60,10 +60,7 @@ pub fn param_ui(ui: &mut Ui, param: ParamField<'_>, scene: &Scene) -> Option<Par
         Value::Pairs(pairs) => pairs_rows(ui, &field, param.spec, pairs),
         Value::Text(text) => words(ui, &field, param.spec, text, scene),
         Value::Nothing => match blank(param.spec.kind) {
-            Some(value) => {
-                let shown = Shown::Derived;
-                return param_ui(ui, ParamField { value: &value, shown, ..param }, scene);
-            }
+            Some(value) => return param_ui(ui, ParamField { value: &value, ..param }, scene),
             None => words(ui, &field, param.spec, "", scene),
         },
     };

@@ -7,8 +7,7 @@ use crate::document::Gesture;
 use crate::theme;
 use crate::tr;
 use eframe::egui::{
-    CursorIcon, EventFilter, Key, Modifiers, Rect, Response, Sense, Stroke, Ui, WidgetInfo, pos2,
-    remap, vec2,
+    CursorIcon, EventFilter, Key, Modifiers, Rect, Response, Sense, Stroke, Ui, WidgetInfo, pos2, remap, vec2,
 };
 
 /// A label, a slider for quick changes and a box for exact ones. The slider covers what is usual: `from` to `to`; the box

@@ -32,6 +32,9 @@ fn line(ui: &mut Ui, field: &Field<'_>, width: f32, value: &str) -> Option<Edit<
     let mut typing = kept.filter(|t| t.of == value).unwrap_or_else(fresh);
     let hint = if field.shown == Shown::Mixed { tr!("widgets-mixed") } else { String::new() };
     let response = edit_line(ui, id, width, &mut typing.text, &hint);
+    if response.gained_focus() {
+        field::select_all(ui, id, &typing.text);
+    }
     let mut edit = None;
     if response.has_focus() {
         ui.data_mut(|d| d.insert_temp(id, typing));

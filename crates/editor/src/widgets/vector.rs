@@ -77,7 +77,9 @@ fn row_ui(
             if let Some(e) = number_box(ui, &NumberBox { id, width, field: &one, number }, values[i]) {
                 edit = Some((i, e));
             }
-            ui.add_space(sizes.gap_m);
+            if at + 1 < row.len() {
+                ui.add_space(sizes.gap_m);
+            }
         }
     });
     edit

@@ -75,7 +75,8 @@ impl Ask<'_> {
             return;
         };
         let is_stated = value != Value::Nothing;
-        let shown = if is_stated || shown == Shown::Mixed { shown } else { Shown::Derived };
+        let follows = derived.is_some() && !is_stated && shown == Shown::Stated;
+        let shown = if follows { Shown::Derived } else { shown };
         let value = if is_stated { value } else { derived.clone().unwrap_or(value) };
         let field = ParamField { spec, kind_word: self.word(last, key), value: &value, shown };
         let top = ui.cursor().min;
