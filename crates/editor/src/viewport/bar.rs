@@ -5,8 +5,11 @@ use crate::action::{Action, Actions};
 use crate::tr;
 use eframe::egui::{Align, Button, Key, Layout, Modifiers, Rect, Ui, UiBuilder, pos2};
 
-const TOOLS: [(Tool, &str, Key); 3] =
-    [(Tool::Move, "viewport-move", Key::W), (Tool::Turn, "viewport-turn", Key::E), (Tool::Size, "viewport-size", Key::R)];
+const TOOLS: [(Tool, &str, Key); 3] = [
+    (Tool::Move, "viewport-move", Key::W),
+    (Tool::Turn, "viewport-turn", Key::E),
+    (Tool::Size, "viewport-size", Key::R),
+];
 
 /// Draws the tools, and takes their keys.
 pub fn bar_ui(ui: &mut Ui, frame: &Frame, viewport: &mut Viewport, actions: &mut Actions) {

@@ -52,7 +52,7 @@ enum Kind {
     /// About an axis: the angle of the pointer, degrees as dragged and as applied.
     About { handles: Handles, k: usize, last: Option<f32>, total: f32, applied: f32 },
     /// Larger or smaller: along an axis or all alike.
-    Grow { handles: Handles, handle: Handle, start: Option<f32>, total: f32, applied: f32 },
+    Grow { handles: Handles, handle: Handle, start: Option<f32>, from: Pos2, applied: f32 },
     /// The camera around a point.
     Orbit(Vec3),
     /// The camera sideways; a point keeps under the pointer.
@@ -75,10 +75,13 @@ impl Drag {
         Self { kind, gesture, things, has_changed: false, is_cancelled: false }
     }
 
-    /// Things slide along the floor, held at a point.
+    /// Things, held at a point, slide along the floor, or with Shift up and down.
     #[must_use]
-    pub fn slide(things: Vec<Thing>, start: Vec3, gesture: Gesture) -> Self {
-        let slide = Slide { start, base: Vec3::ZERO, from: Some(start), is_upright: false, applied: Vec3::ZERO };
+    pub fn slide(things: Vec<Thing>, start: Vec3, modifiers: Modifiers, gesture: Gesture) -> Self {
+        // Both planes go through that point.
+        let from = Some(start);
+        let is_upright = modifiers.shift;
+        let slide = Slide { start, base: Vec3::ZERO, from, is_upright, applied: Vec3::ZERO };
         Self::new(Kind::Slide(slide), things, gesture)
     }
 
@@ -106,7 +109,7 @@ impl Drag {
                     Handle::Axis(k) => along(handles.axes[k]),
                     Handle::All => None,
                 };
-                Kind::Grow { handles, handle, start, total: 1.0, applied: 1.0 }
+                Kind::Grow { handles, handle, start, from: at, applied: 1.0 }
             }
         };
         Self::new(kind, things, gesture)
@@ -179,18 +182,21 @@ impl Drag {
                 let angle_deg = change(applied, snapped(*total, SNAP_DEG, snaps))?;
                 EditCommand::Turn { things, axis: axis_of(*k), angle_deg }
             }
-            Kind::Grow { handles, handle, start, total, applied } => {
-                match handle {
+            Kind::Grow { handles, handle, start, from, applied } => {
+                let total = match handle {
                     Handle::Axis(k) => {
                         let ray = projection.ray(pointer.at);
                         let now = Projection::along_line(&ray, handles.pivot, handles.axes[*k])?;
                         let start = *start.get_or_insert(now);
-                        *total = if start.abs() > f32::EPSILON { now / start } else { 1.0 };
+                        if start.abs() > f32::EPSILON { now / start } else { 1.0 }
                     }
-                    Handle::All => *total += (pointer.moved.x - pointer.moved.y) / DOUBLE,
-                }
+                    Handle::All => {
+                        let way = pointer.at - *from;
+                        1.0 + (way.x - way.y) / DOUBLE
+                    }
+                };
                 let least = if snaps { SNAP_SIZE } else { SMALLEST };
-                let wanted = snapped(*total, SNAP_SIZE, snaps).max(least);
+                let wanted = snapped(total, SNAP_SIZE, snaps).max(least);
                 let before = *applied;
                 change(applied, wanted)?;
                 let factor = wanted / before;
@@ -231,7 +237,8 @@ impl Slide {
         let way = now - *self.from.get_or_insert(now);
         let way = if is_upright { Vec3::Y * way.y } else { Vec3::new(way.x, 0.0, way.z) };
         let total = self.base + way;
-        let total = Vec3::from_array(total.to_array().map(|v| snapped(v, SNAP_METRES, pointer.modifiers.command)));
+        let total =
+            Vec3::from_array(total.to_array().map(|v| snapped(v, SNAP_METRES, pointer.modifiers.command)));
         let by = total - self.applied;
         self.applied = total;
         (by != Vec3::ZERO).then_some(by)

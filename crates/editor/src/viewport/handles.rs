@@ -89,7 +89,12 @@ pub const fn position_of(emission: Emission) -> Option<Vec3> {
 impl Handles {
     /// The handles of a tool at a thing, their arms so many points long. None when it cannot be handled so.
     #[must_use]
-    pub fn at(tool: Tool, scene: &Scene, thing: &Thing, (projection, arm): (&Projection, f32)) -> Option<Self> {
+    pub fn at(
+        tool: Tool,
+        scene: &Scene,
+        thing: &Thing,
+        (projection, arm): (&Projection, f32),
+    ) -> Option<Self> {
         let place = place_of(scene, thing)?;
         if tool != Tool::Move && thing.list() == Some(ListName::Light) {
             return None;
@@ -174,7 +179,12 @@ impl Handles {
         match self.tool {
             Tool::Size => knob(painter, theme, middle, color),
             Tool::Move | Tool::Turn => {
-                painter.circle(middle, theme.sizes.gap_s, color, Stroke::new(theme.sizes.line, theme.outline_seam));
+                painter.circle(
+                    middle,
+                    theme.sizes.gap_s,
+                    color,
+                    Stroke::new(theme.sizes.line, theme.outline_seam),
+                );
             }
         }
     }

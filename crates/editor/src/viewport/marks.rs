@@ -5,8 +5,8 @@ use super::projection::Projection;
 use crate::document::{Selection, Thing};
 use crate::theme::{Theme, icons};
 use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Stroke, Vec2, vec2};
-use vitrine::scene::Scene;
 use vitrine::math::Vec3;
+use vitrine::scene::Scene;
 
 /// An icon in the picture.
 #[derive(Clone, Debug)]
@@ -63,7 +63,12 @@ impl Mark {
         let font = FontId::proportional(theme.sizes.icon);
         painter.text(self.at, Align2::CENTER_CENTER, self.icon, font, color);
         if is_selected {
-            brackets(painter, Rect::from_center_size(self.at, Vec2::splat(2.0 * theme.sizes.icon)), theme, color);
+            brackets(
+                painter,
+                Rect::from_center_size(self.at, Vec2::splat(2.0 * theme.sizes.icon)),
+                theme,
+                color,
+            );
         }
     }
 }

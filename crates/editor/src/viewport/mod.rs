@@ -20,7 +20,8 @@ use crate::tr;
 use asking::Asking;
 use drag::Drag;
 use eframe::egui::{
-    Align2, CursorIcon, DragAndDrop, FontId, Painter, Pos2, Rect, Response, Sense, Ui, WidgetInfo, WidgetType, vec2,
+    Align2, CursorIcon, DragAndDrop, FontId, Painter, Pos2, Rect, Response, Sense, Ui, WidgetInfo,
+    WidgetType, vec2,
 };
 use handles::{Handle, Handles};
 use marks::{Mark, mark_at, marks};
@@ -43,6 +44,8 @@ pub struct Viewport {
     surface: Surface,
     drag: Option<Drag>,
     last_gesture: Gesture,
+    /// Whether the press that goes on can drag nothing.
+    is_idle_press: bool,
     /// The gesture of the wheel, and when it was turned last.
     wheel: Option<(Gesture, f64)>,
 }
@@ -56,6 +59,7 @@ impl Default for Viewport {
             surface: Surface::default(),
             drag: None,
             last_gesture: FIRST_GESTURE,
+            is_idle_press: false,
             wheel: None,
         }
     }
@@ -177,7 +181,8 @@ impl Viewport {
             each.paint(&painter, theme, is_selected, mark.is_some_and(|m| m.thing == each.thing));
         }
         let held = self.drag.as_ref().and_then(Drag::held);
-        if let Some(handles) = frame.handles.filter(|_| self.drag.as_ref().is_none_or(|d| !d.is_of_camera())) {
+        if let Some(handles) = frame.handles.filter(|_| self.drag.as_ref().is_none_or(|d| !d.is_of_camera()))
+        {
             handles.paint(&painter, &frame.projection, theme, held.or(hovered));
         }
         if hovered.is_some() || held.is_some() {
@@ -186,7 +191,8 @@ impl Viewport {
         if let Some(name) = mark.and_then(|m| m.thing.name()) {
             response.clone().on_hover_text_at_pointer(name);
         }
-        if let (Some(angle), Some(at)) = (self.drag.as_ref().and_then(Drag::turned_deg), response.hover_pos()) {
+        if let (Some(angle), Some(at)) = (self.drag.as_ref().and_then(Drag::turned_deg), response.hover_pos())
+        {
             let place = at + vec2(theme.sizes.gap_xl, -theme.sizes.gap_xl);
             note(&painter, theme, place, &tr!("viewport-degrees", angle = format!("{angle:.0}")));
         }
@@ -216,7 +222,8 @@ impl Viewport {
 
 /// A short text on a quiet ground.
 fn note(painter: &Painter, theme: &Theme, at: Pos2, text: &str) {
-    let galley = painter.layout_no_wrap(text.to_owned(), FontId::proportional(theme.sizes.text_small), theme.text);
+    let galley =
+        painter.layout_no_wrap(text.to_owned(), FontId::proportional(theme.sizes.text_small), theme.text);
     let rect = Align2::LEFT_TOP.anchor_size(at, galley.size());
     painter.rect_filled(rect.expand(theme.sizes.gap_s), theme.sizes.radius, theme.veil);
     painter.galley(rect.min, galley, theme.text);

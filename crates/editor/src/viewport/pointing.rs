@@ -4,7 +4,7 @@ use super::asking::WHEEL_RESTS;
 use super::drag::{Drag, Pointer};
 use super::{Frame, Viewport};
 use crate::action::{Action, Actions};
-use crate::document::{CameraMove, EditCommand, Thing};
+use crate::document::{CameraMove, EditCommand, Gesture, Thing};
 use eframe::egui::{DragAndDrop, Key, Modifiers, PointerButton, Pos2, Response, Ui};
 use vitrine::math::Vec3;
 use vitrine::scene::{ListName, Shape};
@@ -27,14 +27,19 @@ impl Viewport {
         self.turn_wheel(ui, response, frame, actions);
     }
 
-    /// Begins a drag where the pointer was pressed.
+    /// Begins a drag where the pointer was pressed, once it has moved: a long press is no drag.
     fn begin(&mut self, ui: &Ui, response: &Response, frame: &Frame, actions: &mut Actions) {
-        if !response.drag_started() || DragAndDrop::has_any_payload(ui.ctx()) {
+        let (origin, now, modifiers) =
+            ui.input(|i| (i.pointer.press_origin(), i.pointer.interact_pos(), i.modifiers));
+        let (Some(at), Some(now)) = (origin.filter(|_| response.dragged()), now) else {
+            self.is_idle_press = false;
+            return;
+        };
+        let is_far = (now - at).length() > frame.theme.sizes.gap_s;
+        if self.is_idle_press || !is_far || DragAndDrop::has_any_payload(ui.ctx()) {
             return;
         }
-        let (origin, modifiers) = ui.input(|i| (i.pointer.press_origin(), i.modifiers));
-        let Some(at) = origin.or_else(|| response.interact_pointer_pos()) else { return };
-        let is_by = |button| response.drag_started_by(button);
+        let is_by = |button| response.dragged_by(button);
         let gesture = self.new_gesture();
         self.drag = if is_by(PointerButton::Middle) || is_by(PointerButton::Secondary) && modifiers.shift {
             Some(Drag::pan(middle(frame), gesture))
@@ -43,12 +48,19 @@ impl Viewport {
         } else if let Some(held) = frame.handle_at(at) {
             Some(Drag::handle(held, frame.movable(), (&frame.projection, at), gesture))
         } else {
-            slide(frame, at, gesture, actions)
+            slide(frame, (at, modifiers), gesture, actions)
         };
+        self.is_idle_press = self.drag.is_none();
     }
 
     /// Goes on with the drag, ends it, or takes it back.
-    fn follow(&mut self, ui: &Ui, frame: &Frame, keys: (Modifiers, eframe::egui::Vec2), actions: &mut Actions) {
+    fn follow(
+        &mut self,
+        ui: &Ui,
+        frame: &Frame,
+        keys: (Modifiers, eframe::egui::Vec2),
+        actions: &mut Actions,
+    ) {
         let Some(drag) = &mut self.drag else { return };
         let (at, is_down) = ui.input(|i| (i.pointer.interact_pos(), i.pointer.any_down()));
         if !drag.is_cancelled && ui.input(|i| i.key_pressed(Key::Escape)) {
@@ -87,11 +99,17 @@ impl Viewport {
 }
 
 /// Things slide along the floor: what is selected, or what lies under the pointer, which is selected then.
-fn slide(frame: &Frame, at: Pos2, gesture: u64, actions: &mut Actions) -> Option<Drag> {
+fn slide(
+    frame: &Frame,
+    (at, modifiers): (Pos2, Modifiers),
+    gesture: Gesture,
+    actions: &mut Actions,
+) -> Option<Drag> {
     let (thing, point) = frame.thing_at(at)?;
     // A plane has no end: it would only be moved by mistake.
     let scene = frame.document.scene();
-    let object = thing.name().filter(|_| thing.list() == Some(ListName::Object)).and_then(|n| scene.object(n));
+    let object =
+        thing.name().filter(|_| thing.list() == Some(ListName::Object)).and_then(|n| scene.object(n));
     if thing == Thing::Camera || object.is_some_and(|o| matches!(o.shape, Shape::Plane(_))) {
         return None;
     }
@@ -105,7 +123,7 @@ fn slide(frame: &Frame, at: Pos2, gesture: u64, actions: &mut Actions) -> Option
         actions.push(Action::Select(vec![thing.clone()]));
         vec![thing]
     };
-    Some(Drag::slide(things, point, gesture))
+    Some(Drag::slide(things, point, modifiers, gesture))
 }
 
 /// A click selects, and with Ctrl or Shift adds or takes away; a double click brings to the middle.

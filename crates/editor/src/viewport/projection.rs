@@ -144,7 +144,8 @@ mod tests {
 
     #[test]
     fn the_ray_is_the_one_that_the_renderer_sends() {
-        let camera = Camera { position: Vec3::new(3.0, 2.0, 6.0), look_at: Some(Vec3::Y), ..Camera::default() };
+        let camera =
+            Camera { position: Vec3::new(3.0, 2.0, 6.0), look_at: Some(Vec3::Y), ..Camera::default() };
         let scene = vitrine::Scene { camera: camera.clone(), ..vitrine::Scene::default() };
         let compiled = vitrine::render::compile(&scene, &vitrine::scene::Assets::default()).unwrap();
         let projection = Projection::new(&camera, Rect::from_min_size(Pos2::ZERO, vec2(400.0, 300.0)));

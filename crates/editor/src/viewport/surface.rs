@@ -25,18 +25,19 @@ struct OutlineKey {
 impl Surface {
     /// Draws the newest picture.
     pub fn paint_picture(&mut self, painter: &Painter, rect: Rect, newest: Option<Arc<Picture>>) {
-        if let Some(newest) = newest {
-            if self.picture.as_ref().is_none_or(|(shown, _)| !Arc::ptr_eq(shown, &newest)) {
-                let image = ColorImage::from_rgba_premultiplied(newest.size.map(|v| v as usize), &newest.rgba);
-                match &mut self.picture {
-                    Some((shown, texture)) => {
-                        texture.set(image, TextureOptions::LINEAR);
-                        *shown = newest;
-                    }
-                    None => {
-                        let texture = painter.ctx().load_texture("picture", image, TextureOptions::LINEAR);
-                        self.picture = Some((newest, texture));
-                    }
+        let is_new = |newest: &Arc<Picture>| {
+            self.picture.as_ref().is_none_or(|(shown, _)| !Arc::ptr_eq(shown, newest))
+        };
+        if let Some(newest) = newest.filter(is_new) {
+            let image = ColorImage::from_rgba_premultiplied(newest.size.map(|v| v as usize), &newest.rgba);
+            match &mut self.picture {
+                Some((shown, texture)) => {
+                    texture.set(image, TextureOptions::LINEAR);
+                    *shown = newest;
+                }
+                None => {
+                    let texture = painter.ctx().load_texture("picture", image, TextureOptions::LINEAR);
+                    self.picture = Some((newest, texture));
                 }
             }
         }
@@ -47,11 +48,12 @@ impl Surface {
 
     /// Draws a contour around the chosen objects, a flag for each object of the map's scene.
     pub fn paint_outline(&mut self, painter: &Painter, rect: Rect, outline: Option<Outline>) {
-        let Some(Outline { map, chosen, theme }) = outline.filter(|o| o.chosen.contains(&true)) else { return };
-        let color = theme.outline;
-        let is_same = |key: &OutlineKey| {
-            Arc::ptr_eq(&key.map, &map) && key.chosen == chosen && key.color == color
+        let Some(Outline { map, chosen, theme }) = outline.filter(|o| o.chosen.contains(&true)) else {
+            return;
         };
+        let color = theme.outline;
+        let is_same =
+            |key: &OutlineKey| Arc::ptr_eq(&key.map, &map) && key.chosen == chosen && key.color == color;
         if !self.outline.as_ref().is_some_and(|(key, _)| is_same(key)) {
             let image = contour(&map, &chosen, theme);
             let key = OutlineKey { map, chosen, color };
@@ -89,7 +91,11 @@ fn paint(painter: &Painter, texture: TextureId, rect: Rect) {
 
 /// Flags for the objects of a scene that are among the things, themselves or by their groups.
 #[must_use]
-pub fn flags(scene: &Scene, is_chosen: &dyn Fn(&str) -> bool, is_group_chosen: &dyn Fn(&str) -> bool) -> Vec<bool> {
+pub fn flags(
+    scene: &Scene,
+    is_chosen: &dyn Fn(&str) -> bool,
+    is_group_chosen: &dyn Fn(&str) -> bool,
+) -> Vec<bool> {
     let in_group = |object: &Object| {
         let mut group = object.group.as_deref();
         // A ring of groups has no end: as many steps as there are groups are enough.
@@ -129,11 +135,19 @@ fn contour(map: &ObjectMap, chosen: &[bool], theme: &Theme) -> ColorImage {
         for x in 0..width {
             let here = inside[y * width + x];
             if x + 1 < width && inside[y * width + x + 1] != here {
-                let beyond = if here { (x + 2 < width).then_some((x + 2, y)) } else { x.checked_sub(1).map(|x| (x, y)) };
+                let beyond = if here {
+                    (x + 2 < width).then_some((x + 2, y))
+                } else {
+                    x.checked_sub(1).map(|x| (x, y))
+                };
                 edge((x, y), (x + 1, y), beyond);
             }
             if y + 1 < height && inside[(y + 1) * width + x] != here {
-                let beyond = if here { (y + 2 < height).then_some((x, y + 2)) } else { y.checked_sub(1).map(|y| (x, y)) };
+                let beyond = if here {
+                    (y + 2 < height).then_some((x, y + 2))
+                } else {
+                    y.checked_sub(1).map(|y| (x, y))
+                };
                 edge((x, y), (x, y + 1), beyond);
             }
         }
@@ -156,15 +170,17 @@ mod tests {
         let image = contour(&map, &[false, true], theme);
         let row = |y: usize| image.pixels[4 * y];
         assert_eq!([row(2), row(3)], [theme.outline; 2]);
-        assert_eq!([row(0), row(1), row(4)], [Color32::TRANSPARENT, theme.outline_seam, Color32::TRANSPARENT]);
+        assert_eq!(
+            [row(0), row(1), row(4)],
+            [Color32::TRANSPARENT, theme.outline_seam, Color32::TRANSPARENT]
+        );
         assert!(contour(&map, &[true, false], theme).pixels.iter().all(|p| *p == Color32::TRANSPARENT));
     }
 
     #[test]
     fn members_of_a_chosen_group_are_chosen_even_through_rings() {
-        let group = |name: &str, of: &str| {
-            Group { name: name.into(), group: Some(of.into()), ..Group::default() }
-        };
+        let group =
+            |name: &str, of: &str| Group { name: name.into(), group: Some(of.into()), ..Group::default() };
         let object = |of: Option<&str>| Object { group: of.map(Into::into), ..Object::default() };
         let scene = Scene {
             groups: vec![group("inner", "outer"), group("outer", "outer")],

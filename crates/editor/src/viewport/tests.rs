@@ -4,8 +4,8 @@ use super::*;
 use crate::document::CameraMove;
 use eframe::egui::{self, Event, Key, Modifiers, MouseWheelUnit, PointerButton, Vec2};
 use egui_kittest::{Harness, kittest::Queryable};
-use std::sync::Arc;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use vitrine::formats::SceneFile;
 use vitrine::math::{Axis, Vec3};
 use vitrine::scene::{Assets, Material, Value};
@@ -63,7 +63,10 @@ fn window() -> Test {
         let Window { document, live, viewport, actions, .. } = window;
         viewport_ui(ui, document, live, viewport, actions);
     };
-    let mut test = Harness::builder().with_size(Vec2::new(656.0, 536.0)).build_ui_state(draw, state);
+    let mut test = Harness::builder()
+        .with_size(Vec2::new(656.0, 536.0))
+        .with_step_dt(1.0 / 60.0)
+        .build_ui_state(draw, state);
     test.run();
     test
 }
@@ -248,7 +251,8 @@ fn c14_boxes_make_larger_along_an_axis_or_all_alike() {
     let x = [middle + vec2(60.0, 0.0), middle + vec2(90.0, 0.0)];
     let along = sized(drag(&mut test, x, PointerButton::Primary, Modifiers::NONE));
     assert!((along.x - 1.5).abs() < 0.02 && along.y == 1.0 && along.z == 1.0, "{along}");
-    let all = sized(drag(&mut test, [middle, middle + vec2(50.0, 0.0)], PointerButton::Primary, Modifiers::NONE));
+    let all =
+        sized(drag(&mut test, [middle, middle + vec2(50.0, 0.0)], PointerButton::Primary, Modifiers::NONE));
     assert!((all - Vec3::splat(1.5)).length() < 0.01, "{all}");
 }
 
@@ -276,21 +280,30 @@ fn c13_the_camera_goes_around_sideways_and_nearer() {
         Action::Drag(EditCommand::Camera(step), _) => *step,
         other => panic!("a move of the camera: {other:?}"),
     };
-    for (button, modifiers) in [(PointerButton::Secondary, Modifiers::NONE), (PointerButton::Primary, Modifiers::ALT)] {
+    for (button, modifiers) in
+        [(PointerButton::Secondary, Modifiers::NONE), (PointerButton::Primary, Modifiers::ALT)]
+    {
         let (mut right, mut up) = (0.0, 0.0);
         for action in &drag(&mut test, ends, button, modifiers) {
-            let CameraMove::Orbit { around, right_deg, up_deg } = camera(action) else { panic!("{action:?}") };
+            let CameraMove::Orbit { around, right_deg, up_deg } = camera(action) else {
+                panic!("{action:?}")
+            };
             assert_eq!(around, Vec3::Y);
             (right, up) = (right + right_deg, up + up_deg);
         }
         // The way before a press becomes a drag does not count.
         assert!(right < -10.0 && up > 4.0 && (right + 2.5 * up).abs() < 0.1, "{right} {up}");
     }
-    for (button, modifiers) in [(PointerButton::Middle, Modifiers::NONE), (PointerButton::Secondary, Modifiers::SHIFT)] {
+    for (button, modifiers) in
+        [(PointerButton::Middle, Modifiers::NONE), (PointerButton::Secondary, Modifiers::SHIFT)]
+    {
         let actions = drag(&mut test, ends, button, modifiers);
         assert!(!actions.is_empty());
         for action in &actions {
-            assert!(matches!(camera(action), CameraMove::Pan { right, up } if right < 0.0 && up > 0.0), "{action:?}");
+            assert!(
+                matches!(camera(action), CameraMove::Pan { right, up } if right < 0.0 && up > 0.0),
+                "{action:?}"
+            );
         }
     }
     test.event(Event::PointerMoved(at));
@@ -303,7 +316,8 @@ fn c13_the_camera_goes_around_sideways_and_nearer() {
         other => panic!("{other:?}"),
     };
     assert!(actions.iter().map(zoom).product::<f32>() > 1.02);
-    let gestures: Vec<_> = actions.iter().map(|a| if let Action::Drag(_, gesture) = a { *gesture } else { 0 }).collect();
+    let gestures: Vec<_> =
+        actions.iter().map(|a| if let Action::Drag(_, gesture) = a { *gesture } else { 0 }).collect();
     assert!(gestures.iter().all(|g| *g == gestures[0]), "one turn of the wheel is one step");
 }
 

@@ -127,8 +127,7 @@ fn numbers(
     let number = Number::of(spec);
     let words: Vec<&str> = parts.iter().map(|(word, _)| word.as_str()).collect();
     let values: Vec<f64> = parts.iter().map(|(_, value)| *value).collect();
-    super::field::label(ui, field);
-    let (at, edit) = boxes(ui, field, &number, (&words, &values))?;
+    let (at, edit) = super::field::stacked(ui, field, |ui| boxes(ui, field, &number, (&words, &values)))?;
     let mut all = values;
     Some(edit.map(|v| {
         all[at] = v;

@@ -11,11 +11,8 @@ const AXES: [&str; 3] = ["X", "Y", "Z"];
 
 /// A label and below it a box for each of x, y and z, with the letter in the axis's colour.
 pub fn vector_field(ui: &mut Ui, field: &Field<'_>, number: &Number, value: Vec3) -> Option<Edit<Vec3>> {
-    if !field.label.is_empty() {
-        field::label(ui, field);
-    }
     let values = value.to_array().map(f64::from);
-    let (at, edit) = boxes(ui, field, number, (&AXES, &values))?;
+    let (at, edit) = field::stacked(ui, field, |ui| boxes(ui, field, number, (&AXES, &values)))?;
     Some(edit.map(|component| {
         let mut changed = value;
         changed[at] = component as f32;
