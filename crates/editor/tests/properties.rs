@@ -51,7 +51,7 @@ fn document() -> Document {
         textures: vec![Texture { name: "tiles".into(), ..Texture::default() }],
         ..Addition::default()
     };
-    document.apply(EditCommand::Add(addition)).unwrap();
+    document.apply(EditCommand::Add(addition)).expect("nothing of it is refused");
     document
 }
 
@@ -192,6 +192,48 @@ fn a_colour_is_typed_as_hexadecimal() {
     type_into(&mut harness, "Colour", "greenish");
     assert!(harness.query_by_label_contains("“greenish” is not a colour").is_some());
     assert_eq!(scene(&harness).material("glass").unwrap().color, Rgb::from_hex("#00ff00").ok());
+}
+
+#[test]
+fn a_colour_is_picked_in_one_step_and_the_picker_is_named() {
+    let mut harness = english(vec![Thing::light("lamp")]);
+    let before = scene(&harness).clone();
+    harness.get_by_label("Colour, picker").click();
+    harness.run();
+    assert_eq!(support::controls_without_name_or_tooltip(&harness), Vec::<String>::new());
+    support::picture(&mut harness, "properties-picker");
+    let square = harness.get_by_label("Shade").rect();
+    harness.drag_at(square.left_top() + square.size() * 0.5);
+    harness.run();
+    harness.hover_at(square.right_top());
+    harness.run();
+    harness.drop_at(square.right_top());
+    harness.run();
+    let color = scene(&harness).lights[0].color.to_srgb8();
+    assert_eq!(color, [255, 0, 0], "the strongest of the first hue");
+    assert!(harness.state_mut().document.undo());
+    assert_eq!(*scene(&harness), before);
+}
+
+#[test]
+fn a_slider_is_dragged_in_one_step_and_moved_by_arrow_keys() {
+    let mut harness = english(vec![Thing::light("lamp")]);
+    let before = scene(&harness).clone();
+    let rail = harness.get_by_label("Brightness, slider").rect();
+    harness.drag_at(rail.center());
+    harness.run();
+    harness.hover_at(rail.right_center());
+    harness.run();
+    harness.drop_at(rail.right_center());
+    harness.run();
+    assert_eq!(scene(&harness).lights[0].intensity, 2.0);
+    assert!(harness.state_mut().document.undo());
+    assert_eq!(*scene(&harness), before);
+    harness.get_by_label("Brightness, slider").focus();
+    harness.run();
+    harness.key_press(Key::ArrowRight);
+    harness.run();
+    assert!(scene(&harness).lights[0].intensity > 0.7);
 }
 
 #[test]
