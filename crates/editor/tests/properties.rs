@@ -282,6 +282,9 @@ fn selections() -> Vec<(&'static str, Vec<Thing>)> {
 #[test]
 #[ignore = "draws pictures to look at"]
 fn pictures() {
+    let strong = Config { high_contrast: true, large_text: true, ..Config::default() };
+    let mut harness = panel(Language::Russian, &strong, vec![Thing::light("lamp")]);
+    support::picture(&mut harness, "properties-strong");
     for language in Language::ALL {
         for (name, things) in selections() {
             let height = if name == "material" { 1200.0 } else { 698.0 };
