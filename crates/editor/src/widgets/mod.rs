@@ -8,6 +8,7 @@ mod field;
 mod number;
 mod number_text;
 mod param;
+mod picker;
 mod section;
 mod slider;
 mod text_fields;
@@ -20,11 +21,8 @@ pub use color::{color_field, swatch};
 pub use field::{Edit, Field, Shown, describe, new_gesture};
 pub use number::{Number, number_field};
 pub use param::{ParamEdit, ParamField, param_ui};
-pub use section::{empty_hint, section};
+pub use section::{empty_hint, section, subsection};
 pub use slider::slider_with_value;
 pub use text_fields::{FileAnswer, file_field, search_field, text_field};
 pub use texture::{TextureAnswer, texture_chooser};
 pub use vector::vector_field;
-
-#[cfg(test)]
-mod tests;
