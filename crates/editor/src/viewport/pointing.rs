@@ -105,7 +105,11 @@ fn slide(
     gesture: Gesture,
     actions: &mut Actions,
 ) -> Option<Drag> {
-    let (thing, point) = frame.thing_at(at)?;
+    let selection = frame.document.selection();
+    let seen = frame.things_at(at);
+    // What is selected is dragged even behind glass.
+    let selected = seen.iter().find(|(thing, _)| selection.contains(thing));
+    let (thing, point) = selected.or(seen.first()).cloned()?;
     // A plane has no end: it would only be moved by mistake.
     let scene = frame.document.scene();
     let object =
@@ -115,9 +119,9 @@ fn slide(
     }
     let is_of_selected_group = || {
         let group = object.and_then(|o| o.group.as_deref());
-        group.is_some_and(|group| frame.document.selection().contains(&Thing::group(group)))
+        group.is_some_and(|group| selection.contains(&Thing::group(group)))
     };
-    let things = if frame.document.selection().contains(&thing) || is_of_selected_group() {
+    let things = if selection.contains(&thing) || is_of_selected_group() {
         frame.movable()
     } else {
         actions.push(Action::Select(vec![thing.clone()]));
@@ -126,16 +130,21 @@ fn slide(
     Some(Drag::slide(things, point, modifiers, gesture))
 }
 
-/// A click selects, and with Ctrl or Shift adds or takes away; a double click brings to the middle.
+/// A click selects, and with Ctrl or Shift adds or takes away; a double click brings to the middle. Another click on what
+/// alone is selected goes on to what is seen behind it.
 fn click(response: &Response, frame: &Frame, modifiers: Modifiers, actions: &mut Actions) {
     let Some(at) = response.interact_pointer_pos() else { return };
-    let thing = frame.thing_at(at).map(|(thing, _)| thing);
+    let seen: Vec<Thing> = frame.things_at(at).into_iter().map(|(thing, _)| thing).collect();
+    let selected = frame.document.selection().things();
     if response.double_clicked() {
-        actions.extend(thing.map(|thing| Action::Frame(vec![thing])));
+        let things = if seen.iter().any(|thing| selected == [thing.clone()]) { selected } else { &seen };
+        actions.extend(things.first().map(|thing| Action::Frame(vec![thing.clone()])));
         return;
     }
     let is_adding = modifiers.command || modifiers.shift;
-    match thing {
+    let last = seen.iter().position(|thing| selected == [thing.clone()] && !is_adding);
+    let next = last.map_or(0, |last| (last + 1) % seen.len());
+    match seen.get(next).cloned() {
         Some(thing) if is_adding => actions.push(Action::ToggleSelect(thing)),
         Some(thing) => actions.push(Action::Select(vec![thing])),
         None if is_adding || frame.handle_at(at).is_some() => {}
