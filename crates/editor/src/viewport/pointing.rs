@@ -63,9 +63,10 @@ impl Viewport {
     ) {
         let Some(drag) = &mut self.drag else { return };
         let (at, is_down) = ui.input(|i| (i.pointer.interact_pos(), i.pointer.any_down()));
-        if !drag.is_cancelled && ui.input(|i| i.key_pressed(Key::Escape)) {
+        let is_escape = ui.input_mut(|i| i.consume_key(i.modifiers, Key::Escape));
+        if !drag.is_cancelled && is_escape {
             drag.is_cancelled = true;
-            if drag.has_changed {
+            if drag.has_effect() {
                 actions.push(Action::Undo);
             }
         }
@@ -107,16 +108,18 @@ fn slide(
 ) -> Option<Drag> {
     let selection = frame.document.selection();
     let seen = frame.things_at(at);
-    // What is selected is dragged even behind glass.
-    let selected = seen.iter().find(|(thing, _)| selection.contains(thing));
-    let (thing, point) = selected.or(seen.first()).cloned()?;
-    // A plane has no end: it would only be moved by mistake.
     let scene = frame.document.scene();
-    let object =
-        thing.name().filter(|_| thing.list() == Some(ListName::Object)).and_then(|n| scene.object(n));
-    if thing == Thing::Camera || object.is_some_and(|o| matches!(o.shape, Shape::Plane(_))) {
-        return None;
-    }
+    let object_of = |thing: &Thing| {
+        let name = thing.name().filter(|_| thing.list() == Some(ListName::Object))?;
+        scene.object(name)
+    };
+    // A plane has no end: it would only be moved by mistake.
+    let is_plane = |thing: &Thing| object_of(thing).is_some_and(|o| matches!(o.shape, Shape::Plane(_)));
+    let can_slide = |thing: &Thing| *thing != Thing::Camera && !is_plane(thing);
+    // What is selected is dragged even behind glass.
+    let selected = seen.iter().find(|(thing, _)| selection.contains(thing) && can_slide(thing));
+    let (thing, point) = selected.or(seen.first()).filter(|(thing, _)| can_slide(thing)).cloned()?;
+    let object = object_of(&thing);
     let is_of_selected_group = || {
         let group = object.and_then(|o| o.group.as_deref());
         group.is_some_and(|group| selection.contains(&Thing::group(group)))
