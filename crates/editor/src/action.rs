@@ -57,6 +57,13 @@ pub enum Action {
     LoadModel,
     /// Open the dialog «Model settings» for an object that is a model.
     ModelSettings(Thing),
+    /// Choose a file for a parameter: a picture for a texture or for a material's surface, another model for an object.
+    ChooseFile {
+        /// Whose parameter.
+        thing: Thing,
+        /// Which.
+        key: String,
+    },
     /// Render at full size and quality.
     StartRender,
     /// Stop that; the picture so far stays.

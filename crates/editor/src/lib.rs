@@ -4,10 +4,11 @@
 //! for ([`action`]).
 
 pub mod action;
-pub mod doctor;
 pub mod dialogs;
+pub mod doctor;
 pub mod document;
 pub mod files;
+pub mod library;
 pub mod live;
 pub mod panels;
 pub mod shortcuts;

@@ -158,3 +158,6 @@ fn one_step(commands: Vec<EditCommand>, thing: Option<Thing>, actions: &mut Acti
         actions.push(Action::Select(vec![thing]));
     }
 }
+
+#[cfg(test)]
+mod tests;

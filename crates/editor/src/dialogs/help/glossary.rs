@@ -35,7 +35,7 @@ impl GlossaryDialog {
         area.auto_shrink([false, false]).show(ui, |ui| {
             if found.is_empty() {
                 let text = tr!("help-glossary-nothing", text = self.search.trim());
-                empty_hint(ui, icons::GLOSSARY, &text);
+                empty_hint(ui, &text);
             }
             for words in &found {
                 pair(ui, words);
