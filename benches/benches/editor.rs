@@ -55,7 +55,8 @@ impl Editing {
         let file = format!("../scenes/coursework/{name}.vitrine.toml");
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
         let scene = SceneFile::read(&path).expect("an example can be read").into_scene();
-        let (assets, _) = load_assets(&scene, path.parent().unwrap_or(Path::new("."))).expect("it has its assets");
+        let (assets, _) =
+            load_assets(&scene, path.parent().unwrap_or(Path::new("."))).expect("it has its assets");
         let (wake, woken) = channel();
         // When the bench is over nobody listens any more.
         let live = Live::new(Arc::new(move || wake.send(()).unwrap_or_default()));

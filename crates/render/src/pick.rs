@@ -1,7 +1,7 @@
 //! What lies under a pixel: the object, the point and its normal, by the same kernels that make the picture.
 
 use crate::accel::simd::{Kernel, Simd};
-use crate::accel::{BLOCK, Column, HitStream, NOTHING, RayBlock, RayStream};
+use crate::accel::{BLOCK, Column, Hit, HitStream, NOTHING, RayBlock, RayStream};
 use crate::compile::{CompiledCamera, CompiledScene};
 use crate::surface::HitLanes;
 use std::sync::{Mutex, PoisonError};
@@ -9,6 +9,9 @@ use vitrine_math::{Ray, Vec3};
 
 /// "No object", in a map of objects.
 pub const NO_OBJECT: u32 = u32::MAX;
+
+/// So many transparent surfaces one looks through.
+const MOST_SURFACES: usize = 32;
 
 /// The nearest surface on a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,26 +42,73 @@ impl CompiledScene {
         self.ray_hit(&self.camera_ray(point, size))
     }
 
+    /// All objects that the camera sees in a point of a picture of that size, the nearest first: those behind others as far as
+    /// these are transparent. Each where it is met first; straight on, as if nothing bent the ray.
+    #[must_use]
+    pub fn pick_through(&self, point: [f32; 2], size: [u32; 2]) -> Vec<Picked> {
+        let ray = self.camera_ray(point, size);
+        let mut seen: Vec<Picked> = Vec::new();
+        let mut last = None;
+        for _ in 0..MOST_SURFACES {
+            let Some((hit, picked)) = self.next_hit(&ray, last.as_ref()) else { break };
+            if seen.iter().all(|p| p.object != picked.object) {
+                seen.push(picked);
+            }
+            if !self.is_transparent(&hit) {
+                break;
+            }
+            last = Some(hit);
+        }
+        seen
+    }
+
     /// The nearest surface on a ray; None when there is none or the ray has no direction.
     #[must_use]
     pub fn ray_hit(&self, ray: &Ray) -> Option<Picked> {
         let length = ray.direction.length();
         let direction = ray.direction.try_normalize()?;
+        let ray = Ray { direction, t_max: ray.t_max * length, ..*ray };
+        self.next_hit(&ray, None).map(|(_, picked)| picked)
+    }
+
+    /// The nearest surface on a ray of unit direction after an earlier hit of it.
+    fn next_hit(&self, ray: &Ray, after: Option<&Hit>) -> Option<(Hit, Picked)> {
         let mut rays = RayStream::default();
-        rays.push(&Ray { direction, t_max: ray.t_max * length, ..*ray });
+        match after {
+            None => rays.push(ray),
+            Some(hit) => rays.push_on(ray, hit),
+        }
         let mut hits = HitStream::default();
         self.accel.closest(&rays, &mut hits);
         let hit = hits.get(0)?;
         let at = HitLanes { rays: &rays.blocks()[0], hits: hits.block(0), start: 0 };
         let [point, n] = self.accel.instructions.run(Meet { scene: self, at });
         let object = self.primitives[hit.primitive as usize].object as usize;
-        Some(Picked { object, point, distance: hit.t, n })
+        Some((hit, Picked { object, point, distance: hit.t, n }))
+    }
+
+    fn is_transparent(&self, hit: &Hit) -> bool {
+        let material = self.primitives[hit.primitive as usize].material_of(hit.triangle);
+        self.materials[material as usize].transparency > 0.0
     }
 
     /// The object that is seen first in the middle of each pixel, row by row: its index in the scene's list, or [`NO_OBJECT`].
     /// On so many threads (0: all of the machine's).
     #[must_use]
     pub fn object_map(&self, size: [u32; 2], threads: usize) -> Vec<u32> {
+        self.map(size, threads, &|hit| Some(self.primitives[hit.primitive as usize].object))
+    }
+
+    /// The same with what is seen behind all that is transparent.
+    #[must_use]
+    pub fn object_map_behind_glass(&self, size: [u32; 2], threads: usize) -> Vec<u32> {
+        let opaque =
+            |hit: &Hit| (!self.is_transparent(hit)).then(|| self.primitives[hit.primitive as usize].object);
+        self.map(size, threads, &opaque)
+    }
+
+    /// Says something of each pixel by what its ray hits first of which there is something to say.
+    fn map(&self, size: [u32; 2], threads: usize, say: &(dyn Fn(&Hit) -> Option<u32> + Sync)) -> Vec<u32> {
         let [width, height] = size.map(|v| v as usize);
         let mut map = vec![NO_OBJECT; width * height];
         if map.is_empty() {
@@ -69,15 +119,11 @@ impl CompiledScene {
         let rows = Mutex::new(map.chunks_mut(width).enumerate());
         let next = || rows.lock().unwrap_or_else(PoisonError::into_inner).next();
         let work = || {
-            let (mut rays, mut hits) = (RayStream::default(), HitStream::default());
+            let mut tools = RowTools::default();
             while let Some((y, row)) = next() {
-                let blocks = rays.resize(width);
+                let blocks = tools.rays.resize(width);
                 self.accel.instructions.run(Row { camera: &self.camera, y, size, blocks });
-                self.accel.closest(&rays, &mut hits);
-                for (x, object) in row.iter_mut().enumerate() {
-                    let hit = hits.get(x);
-                    *object = hit.map_or(NO_OBJECT, |h| self.primitives[h.primitive as usize].object);
-                }
+                self.map_row(&mut tools, row, say);
             }
         };
         std::thread::scope(|scope| {
@@ -88,6 +134,44 @@ impl CompiledScene {
         });
         map
     }
+
+    /// Traces the rays of a row until there is something to say of each.
+    fn map_row(&self, tools: &mut RowTools, row: &mut [u32], say: &dyn Fn(&Hit) -> Option<u32>) {
+        let RowTools { rays, onward, hits, places, later } = tools;
+        places.clear();
+        places.extend(0..row.len());
+        for _ in 0..MOST_SURFACES {
+            self.accel.closest(rays, hits);
+            onward.clear();
+            later.clear();
+            for (i, &place) in places.iter().enumerate() {
+                let Some(hit) = hits.get(i) else { continue };
+                match say(&hit) {
+                    Some(said) => row[place] = said,
+                    None => {
+                        onward.push_on(&rays.get(i), &hit);
+                        later.push(place);
+                    }
+                }
+            }
+            if later.is_empty() {
+                return;
+            }
+            std::mem::swap(rays, onward);
+            std::mem::swap(places, later);
+        }
+    }
+}
+
+/// What a thread needs to trace rows of pixels.
+#[derive(Default)]
+struct RowTools {
+    rays: RayStream,
+    onward: RayStream,
+    hits: HitStream,
+    /// The pixels of the rays.
+    places: Vec<usize>,
+    later: Vec<usize>,
 }
 
 /// The direction through one point.

@@ -100,6 +100,17 @@ impl Ready {
     fn is_of(&self, request: &Request) -> bool {
         Arc::ptr_eq(&self.scene, &request.scene) && Arc::ptr_eq(&self.assets, &request.assets)
     }
+
+    /// A point of the picture in pixels of the scene's own size.
+    fn pixel(&self, x: f32, y: f32) -> ([f32; 2], [u32; 2]) {
+        let size = self.scene.settings.size;
+        ([x * size[0] as f32, y * size[1] as f32], size)
+    }
+
+    fn named(&self, picked: vitrine::render::Picked) -> Option<Picked> {
+        let name = self.scene.objects.get(picked.object)?.name.clone();
+        Some(Picked { name, point: picked.point, distance: picked.distance, n: picked.n })
+    }
 }
 
 /// The live picture and the final render of one window.
@@ -171,11 +182,16 @@ impl Live {
     #[must_use]
     pub fn pick(&self, x: f32, y: f32) -> Option<Picked> {
         let ready = self.shared.state().ready.clone()?;
-        let size = ready.scene.settings.size;
-        let at = [x * size[0] as f32, y * size[1] as f32];
-        let picked = ready.compiled.pick(at, size)?;
-        let name = ready.scene.objects.get(picked.object)?.name.clone();
-        Some(Picked { name, point: picked.point, distance: picked.distance, n: picked.n })
+        let (at, size) = ready.pixel(x, y);
+        ready.named(ready.compiled.pick(at, size)?)
+    }
+
+    /// The same with what is seen behind it, as far as things are transparent; the nearest first.
+    #[must_use]
+    pub fn pick_through(&self, x: f32, y: f32) -> Vec<Picked> {
+        let Some(ready) = self.shared.state().ready.clone() else { return Vec::new() };
+        let (at, size) = ready.pixel(x, y);
+        ready.compiled.pick_through(at, size).into_iter().filter_map(|picked| ready.named(picked)).collect()
     }
 
     /// Begins the final render, at the scene's own size and quality. An earlier one is forgotten. The live picture rests.

@@ -50,6 +50,8 @@ pub struct ObjectMap {
     pub size: [u32; 2],
     /// Indices of objects in the scene's list, row by row; [`NO_OBJECT`] where there is none.
     pub objects: Vec<u32>,
+    /// The same with what is seen behind all that is transparent.
+    pub behind_glass: Vec<u32>,
     /// The scene whose objects they are.
     pub scene: Arc<Scene>,
 }

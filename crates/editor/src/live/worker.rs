@@ -157,8 +157,9 @@ impl Worker {
         let request = &*task.request;
         let size = request.size.map(|v| if request.is_dragging { v.div_ceil(2) } else { v });
         let objects = ready.compiled.object_map(size, request.threads);
+        let behind_glass = ready.compiled.object_map_behind_glass(size, request.threads);
         let (generation, scene) = (request.generation, ready.scene.clone());
-        let map = Arc::new(ObjectMap { generation, size, objects, scene });
+        let map = Arc::new(ObjectMap { generation, size, objects, behind_glass, scene });
         self.shared.publish(|state| state.objects = Some(map));
     }
 

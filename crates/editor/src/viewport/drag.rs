@@ -26,8 +26,8 @@ pub struct Drag {
     pub gesture: Gesture,
     /// What is dragged.
     pub things: Vec<Thing>,
-    /// Whether it has changed anything yet.
-    pub has_changed: bool,
+    /// Whether it has asked for anything yet.
+    has_asked: bool,
     /// Whether Esc has taken it back; then the rest of it does nothing.
     pub is_cancelled: bool,
 }
@@ -72,7 +72,7 @@ struct Slide {
 
 impl Drag {
     fn new(kind: Kind, things: Vec<Thing>, gesture: Gesture) -> Self {
-        Self { kind, gesture, things, has_changed: false, is_cancelled: false }
+        Self { kind, gesture, things, has_asked: false, is_cancelled: false }
     }
 
     /// Things, held at a point, slide along the floor, or with Shift up and down.
@@ -131,6 +131,18 @@ impl Drag {
     #[must_use]
     pub const fn is_of_camera(&self) -> bool {
         matches!(self.kind, Kind::Orbit(_) | Kind::Pan(_))
+    }
+
+    /// Whether anything is other than before it: then there is something to take back.
+    #[must_use]
+    pub fn has_effect(&self) -> bool {
+        let is_away = match &self.kind {
+            Kind::Slide(slide) => slide.applied != Vec3::ZERO,
+            Kind::Along { applied, .. } | Kind::About { applied, .. } => *applied != 0.0,
+            Kind::Grow { applied, .. } => *applied != 1.0,
+            Kind::Orbit(_) | Kind::Pan(_) => true,
+        };
+        self.has_asked && is_away
     }
 
     /// The handle that is in the hand.
@@ -220,7 +232,7 @@ impl Drag {
         if self.is_of_camera() && pointer.moved == Vec2::ZERO {
             return None;
         }
-        self.has_changed = true;
+        self.has_asked = true;
         Some(command)
     }
 }

@@ -14,7 +14,7 @@ pub use handles::Tool;
 
 use crate::action::{Action, Actions};
 use crate::document::{Document, EditCommand, Gesture, Paint, Thing};
-use crate::live::{Live, LiveError};
+use crate::live::{Live, LiveError, Picked};
 use crate::theme::{self, Theme};
 use crate::tr;
 use asking::Asking;
@@ -27,6 +27,7 @@ use handles::{Handle, Handles};
 use marks::{Mark, mark_at, marks};
 use projection::{Projection, letterbox};
 use surface::{Outline, Surface, flags};
+use vitrine::math::Vec3;
 use vitrine::scene::ListName;
 
 /// Gestures in the picture are numbered from here on, so that they are never taken for those of a panel.
@@ -96,19 +97,26 @@ struct Frame<'a> {
 }
 
 impl Frame<'_> {
-    /// What is seen at a point of the window: an icon, else an object, and the point of it in the scene.
-    fn thing_at(&self, at: Pos2) -> Option<(Thing, vitrine::math::Vec3)> {
+    /// What is seen at a point of the window, the nearest first: an icon, or objects, one behind the other as far as they are
+    /// transparent. Each with its point in the scene.
+    fn things_at(&self, at: Pos2) -> Vec<(Thing, Vec3)> {
         if !self.rect.contains(at) {
-            return None;
+            return Vec::new();
         }
-        let mark = mark_at(&self.marks, at, self.theme);
-        if let Some(mark) = mark.filter(|m| m.thing != Thing::Camera) {
-            return Some((mark.thing.clone(), mark.point));
+        let mark = mark_at(&self.marks, at, self.theme).map(|mark| (mark.thing.clone(), mark.point));
+        if let Some(mark) = mark.clone().filter(|(thing, _)| *thing != Thing::Camera) {
+            return vec![mark];
         }
         let share = self.projection.share(at);
-        let picked = self.live.pick(share.x, share.y);
-        let object = picked.filter(|p| self.document.scene().object(&p.name).is_some());
-        object.map(|p| (Thing::object(p.name), p.point)).or_else(|| mark.map(|m| (m.thing.clone(), m.point)))
+        let picked = self.live.pick_through(share.x, share.y).into_iter();
+        let is_there = |picked: &Picked| self.document.scene().object(&picked.name).is_some();
+        let objects = picked.filter(is_there).map(|p| (Thing::object(p.name), p.point));
+        objects.chain(mark).collect()
+    }
+
+    /// What is seen first at a point of the window.
+    fn thing_at(&self, at: Pos2) -> Option<(Thing, Vec3)> {
+        self.things_at(at).into_iter().next()
     }
 
     /// The handle at a point of the window.

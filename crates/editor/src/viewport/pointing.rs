@@ -63,9 +63,10 @@ impl Viewport {
     ) {
         let Some(drag) = &mut self.drag else { return };
         let (at, is_down) = ui.input(|i| (i.pointer.interact_pos(), i.pointer.any_down()));
-        if !drag.is_cancelled && ui.input(|i| i.key_pressed(Key::Escape)) {
+        let is_escape = ui.input_mut(|i| i.consume_key(i.modifiers, Key::Escape));
+        if !drag.is_cancelled && is_escape {
             drag.is_cancelled = true;
-            if drag.has_changed {
+            if drag.has_effect() {
                 actions.push(Action::Undo);
             }
         }
@@ -105,19 +106,25 @@ fn slide(
     gesture: Gesture,
     actions: &mut Actions,
 ) -> Option<Drag> {
-    let (thing, point) = frame.thing_at(at)?;
-    // A plane has no end: it would only be moved by mistake.
+    let selection = frame.document.selection();
+    let seen = frame.things_at(at);
     let scene = frame.document.scene();
-    let object =
-        thing.name().filter(|_| thing.list() == Some(ListName::Object)).and_then(|n| scene.object(n));
-    if thing == Thing::Camera || object.is_some_and(|o| matches!(o.shape, Shape::Plane(_))) {
-        return None;
-    }
+    let object_of = |thing: &Thing| {
+        let name = thing.name().filter(|_| thing.list() == Some(ListName::Object))?;
+        scene.object(name)
+    };
+    // A plane has no end: it would only be moved by mistake.
+    let is_plane = |thing: &Thing| object_of(thing).is_some_and(|o| matches!(o.shape, Shape::Plane(_)));
+    let can_slide = |thing: &Thing| *thing != Thing::Camera && !is_plane(thing);
+    // What is selected is dragged even behind glass.
+    let selected = seen.iter().find(|(thing, _)| selection.contains(thing) && can_slide(thing));
+    let (thing, point) = selected.or(seen.first()).filter(|(thing, _)| can_slide(thing)).cloned()?;
+    let object = object_of(&thing);
     let is_of_selected_group = || {
         let group = object.and_then(|o| o.group.as_deref());
-        group.is_some_and(|group| frame.document.selection().contains(&Thing::group(group)))
+        group.is_some_and(|group| selection.contains(&Thing::group(group)))
     };
-    let things = if frame.document.selection().contains(&thing) || is_of_selected_group() {
+    let things = if selection.contains(&thing) || is_of_selected_group() {
         frame.movable()
     } else {
         actions.push(Action::Select(vec![thing.clone()]));
@@ -126,16 +133,21 @@ fn slide(
     Some(Drag::slide(things, point, modifiers, gesture))
 }
 
-/// A click selects, and with Ctrl or Shift adds or takes away; a double click brings to the middle.
+/// A click selects, and with Ctrl or Shift adds or takes away; a double click brings to the middle. Another click on what
+/// alone is selected goes on to what is seen behind it.
 fn click(response: &Response, frame: &Frame, modifiers: Modifiers, actions: &mut Actions) {
     let Some(at) = response.interact_pointer_pos() else { return };
-    let thing = frame.thing_at(at).map(|(thing, _)| thing);
+    let seen: Vec<Thing> = frame.things_at(at).into_iter().map(|(thing, _)| thing).collect();
+    let selected = frame.document.selection().things();
     if response.double_clicked() {
-        actions.extend(thing.map(|thing| Action::Frame(vec![thing])));
+        let things = if seen.iter().any(|thing| selected == [thing.clone()]) { selected } else { &seen };
+        actions.extend(things.first().map(|thing| Action::Frame(vec![thing.clone()])));
         return;
     }
     let is_adding = modifiers.command || modifiers.shift;
-    match thing {
+    let last = seen.iter().position(|thing| selected == [thing.clone()] && !is_adding);
+    let next = last.map_or(0, |last| (last + 1) % seen.len());
+    match seen.get(next).cloned() {
         Some(thing) if is_adding => actions.push(Action::ToggleSelect(thing)),
         Some(thing) => actions.push(Action::Select(vec![thing])),
         None if is_adding || frame.handle_at(at).is_some() => {}

@@ -115,7 +115,9 @@ pub fn flags(
 fn contour(map: &ObjectMap, chosen: &[bool], theme: &Theme) -> ColorImage {
     let [width, height] = map.size.map(|v| v as usize);
     let is_in = |object: &u32| *object != NO_OBJECT && chosen.get(*object as usize) == Some(&true);
-    let inside: Vec<bool> = map.objects.iter().map(is_in).collect();
+    // What is behind glass has an outline as well.
+    let both = map.objects.iter().zip(&map.behind_glass);
+    let inside: Vec<bool> = both.map(|(nearest, behind)| is_in(nearest) || is_in(behind)).collect();
     let mut pixels = vec![Color32::TRANSPARENT; width * height];
     let mut mark = |x: usize, y: usize, color: Color32| {
         let pixel = &mut pixels[y * width + x];
@@ -165,7 +167,8 @@ mod tests {
     fn the_contour_is_two_pixels_wide_with_a_seam_outside() {
         let mut objects = vec![NO_OBJECT; 12];
         objects.extend([1; 12]);
-        let map = ObjectMap { generation: 0, size: [4, 6], objects, scene: Arc::default() };
+        let behind_glass = vec![NO_OBJECT; 24];
+        let map = ObjectMap { generation: 0, size: [4, 6], objects, behind_glass, scene: Arc::default() };
         let theme = Theme::of_config(&Config::default());
         let image = contour(&map, &[false, true], theme);
         let row = |y: usize| image.pixels[4 * y];
@@ -174,6 +177,9 @@ mod tests {
             [row(0), row(1), row(4)],
             [Color32::TRANSPARENT, theme.outline_seam, Color32::TRANSPARENT]
         );
+        let swapped =
+            ObjectMap { objects: map.behind_glass.clone(), behind_glass: map.objects.clone(), ..map.clone() };
+        assert_eq!(contour(&swapped, &[false, true], theme), image, "behind glass");
         assert!(contour(&map, &[true, false], theme).pixels.iter().all(|p| *p == Color32::TRANSPARENT));
     }
 

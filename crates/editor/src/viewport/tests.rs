@@ -144,6 +144,39 @@ fn a_click_selects_adds_and_deselects() {
 }
 
 #[test]
+fn another_click_goes_on_to_what_is_seen_behind_glass() {
+    let mut test = window();
+    let glass = r#"
+[[material]]
+name = "glass"
+transparency = 0.9
+[[object]]
+name = "shell"
+shape = "sphere"
+radius = 1.5
+position = [0.0, 1.0, 0.0]
+material = "glass"
+"#;
+    test.state_mut().document = document(&format!("{SCENE}{glass}"));
+    test.run();
+    let middle = place(&test, Vec3::Y);
+    for name in ["shell", "ball", "shell"] {
+        let wanted = vec![Thing::object(name)];
+        assert_eq!(click(&mut test, middle, Modifiers::NONE), [Action::Select(wanted.clone())]);
+        test.state_mut().document.select(wanted);
+    }
+    // What is selected is dragged, though glass is before it.
+    select(&mut test, Thing::object("ball"));
+    let at = middle + vec2(-20.0, 10.0);
+    let actions = drag(&mut test, [at, at + vec2(40.0, 0.0)], PointerButton::Primary, Modifiers::NONE);
+    let moves_ball = |a: &Action| matches!(a, Action::Drag(EditCommand::Move { things, .. }, _) if *things == [Thing::object("ball")]);
+    assert!(!actions.is_empty() && actions.iter().all(moves_ball), "{actions:?}");
+    let map = test.state().live.objects().unwrap();
+    let index = |name: &str| map.scene.objects.iter().position(|o| o.name == name).unwrap() as u32;
+    assert!(map.behind_glass.contains(&index("ball")) && !map.behind_glass.contains(&index("shell")));
+}
+
+#[test]
 fn a_double_click_brings_a_thing_to_the_middle() {
     let mut test = window();
     let ball = place(&test, Vec3::Y);

@@ -86,3 +86,27 @@ fn rays_of_any_length_are_met_in_metres_and_end_where_they_say() {
     assert!(scene.ray_hit(&Ray::new(Vec3::ONE, Vec3::ZERO)).is_none());
     assert!(scene.object_map([0, 5], 2).is_empty());
 }
+
+#[test]
+fn one_looks_through_what_is_transparent_and_no_farther() {
+    let mut shot = Shot::new([40, 40], v(0.0, 1.0, 6.0), v(0.0, 1.0, 0.0));
+    shot.put(plane(), flat(Rgb::WHITE));
+    shot.put(ball(0.5), flat(Rgb::WHITE)).position = v(0.0, 1.0, 0.0);
+    shot.put(ball(2.0), glass(Rgb::WHITE, 0.5)).position = v(0.0, 1.0, 0.0);
+    shot.put(ball(1.0), glass(Rgb::WHITE, 0.9)).position = v(0.0, 1.0, 0.0);
+    let scene = shot.compiled();
+    let objects = |at| scene.pick_through(at, [40, 40]).iter().map(|p| p.object).collect::<Vec<_>>();
+    assert_eq!(objects([20.0, 20.0]), [2, 3, 1], "each shell once, and not what the ball hides");
+    assert_eq!(objects([20.0, 39.5]), [0]);
+    assert_eq!(objects([20.0, 0.5]), []);
+    let behind = scene.object_map_behind_glass([40, 40], 2);
+    let nearest = scene.object_map([40, 40], 2);
+    for (i, (&behind, &nearest)) in behind.iter().zip(&nearest).enumerate() {
+        let at = [(i % 40) as f32 + 0.5, (i / 40) as f32 + 0.5];
+        let seen = objects(at);
+        let opaque = seen.last().copied().filter(|o| *o < 2).map_or(NO_OBJECT, |o| o as u32);
+        assert_eq!(behind, opaque, "{at:?}");
+        assert_eq!(nearest, seen.first().map_or(NO_OBJECT, |o| *o as u32), "{at:?}");
+    }
+    assert!(behind.contains(&1) && behind.contains(&NO_OBJECT) && !nearest.contains(&1));
+}

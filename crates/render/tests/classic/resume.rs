@@ -12,7 +12,7 @@ fn shot(samples: u32) -> Shot {
 }
 
 fn job<'a>(scene: &'a CompiledScene, shot: &Shot) -> RenderJob<'a> {
-    RenderJob::new(scene, shot.options()).unwrap()
+    RenderJob::new(scene, shot.options()).expect("the job can start")
 }
 
 /// Stops at moments that chance chooses and goes on, to the end.
@@ -27,8 +27,8 @@ fn in_pieces(job: &RenderJob, dice: &mut Dice) -> (Rendered, u32) {
             std::thread::sleep(wait);
             stop.cancel();
         });
-        so_far = job.resume(so_far, threads, &cancel, &mut |_| {}).unwrap();
-        stopper.join().unwrap();
+        so_far = job.resume(so_far, threads, &cancel, &mut |_| {}).expect("its own film fits");
+        stopper.join().expect("it only sleeps");
         if so_far.is_complete {
             return (so_far, stops);
         }
