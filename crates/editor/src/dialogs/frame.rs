@@ -4,8 +4,8 @@ use crate::text::tr;
 use crate::theme;
 use crate::widgets::{Field, Shown, choice_field, primary_button, text_button};
 use eframe::egui::{
-    Align, Context, FocusDirection, Frame, Id, Key, Label, Layout, Margin, Modal, Modifiers, RichText, ScrollArea,
-    Stroke, Ui, vec2,
+    Align, Context, FocusDirection, Frame, Id, Key, Label, Layout, Margin, Modal, Modifiers, RichText,
+    ScrollArea, Stroke, Ui, vec2,
 };
 
 /// How a dialog looks before anything is in it.

@@ -175,11 +175,7 @@ fn bad_line_ui(ui: &mut Ui, line: &BadLine) {
 }
 
 /// The text with what is meant underlined: the colours and the line's width for the rest and for the mark.
-fn marked(
-    line: &BadLine,
-    font: FontId,
-    [plain, mark]: [(eframe::egui::Color32, f32); 2],
-) -> LayoutJob {
+fn marked(line: &BadLine, font: FontId, [plain, mark]: [(eframe::egui::Color32, f32); 2]) -> LayoutJob {
     let text = line.text.as_str();
     let at = |i: usize| text.floor_char_boundary(i.min(text.len()));
     let (start, end) = (at(line.mark.start), at(line.mark.end).max(at(line.mark.start)));

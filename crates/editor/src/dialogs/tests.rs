@@ -189,7 +189,10 @@ fn the_focus_begins_in_the_first_field() {
 #[test]
 fn c4_a_triangle_with_its_points_on_a_line_is_not_accepted() {
     both(|language| {
-        let shape = Shape::Triangle(shapes::Triangle { points: [Vec3::ZERO, Vec3::X, Vec3::X * 2.0], ..Default::default() });
+        let shape = Shape::Triangle(shapes::Triangle {
+            points: [Vec3::ZERO, Vec3::X, Vec3::X * 2.0],
+            ..Default::default()
+        });
         let mut harness = add_object(language, Object { shape, ..sphere() });
         harness.get_by_label(&tr!("dialog-add-fault-line"));
         harness.key_press(Key::Enter);

@@ -5,9 +5,7 @@ use crate::dialogs::frame::{self, Buttons, Shell, Verdict};
 use crate::dialogs::{Around, Browse, Outcome, Reply};
 use crate::text::tr;
 use crate::theme::{self, icons};
-use crate::widgets::{
-    Field, FileAnswer, Number, Shown, file_field, icon_toggle, number_field,
-};
+use crate::widgets::{Field, FileAnswer, Number, Shown, file_field, icon_toggle, number_field};
 use eframe::egui::{Align, Context, Layout, Ui, vec2};
 use std::path::Path;
 use std::time::Duration;
@@ -58,9 +56,7 @@ impl SaveDialog {
             Buttons::accept(key, self.draft.flaw().is_none())
         });
         match verdict {
-            Verdict::Accept => {
-                Outcome::Close(Some(Reply::SavePicture(Box::new(self.draft.request()))))
-            }
+            Verdict::Accept => Outcome::Close(Some(Reply::SavePicture(Box::new(self.draft.request())))),
             Verdict::Cancel => Outcome::Close(None),
             Verdict::Open | Verdict::Other => Outcome::Stay(reply),
         }
@@ -76,7 +72,8 @@ impl SaveDialog {
         }
         quality(ui, draft);
         let renderers = RENDERERS.map(|(renderer, key)| (renderer, tr!(key)));
-        if let Some(chosen) = frame::choice(ui, "dialog-save-renderer", &draft.settings.renderer, &renderers) {
+        if let Some(chosen) = frame::choice(ui, "dialog-save-renderer", &draft.settings.renderer, &renderers)
+        {
             draft.settings.renderer = chosen;
         }
         ui.add_space(theme::of(ui).sizes.gap_xs);
