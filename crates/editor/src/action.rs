@@ -2,6 +2,7 @@
 
 use crate::document::{EditCommand, Gesture, Thing};
 use crate::files::Config;
+use crate::theme::icons;
 use std::path::PathBuf;
 use vitrine::scene::ListName;
 
@@ -56,6 +57,13 @@ pub enum Action {
     LoadModel,
     /// Open the dialog «Model settings» for an object that is a model.
     ModelSettings(Thing),
+    /// Choose a file for a parameter: a picture for a texture or for a material's surface, another model for an object.
+    ChooseFile {
+        /// Whose parameter.
+        thing: Thing,
+        /// Which.
+        key: String,
+    },
     /// Render at full size and quality.
     StartRender,
     /// Stop that; the picture so far stays.
@@ -82,6 +90,12 @@ impl NewThing {
     #[must_use]
     pub const fn kind_word(self) -> &'static str {
         self.kind
+    }
+
+    /// Its icon.
+    #[must_use]
+    pub fn icon(self) -> &'static str {
+        icons::of_item(self.list, self.kind)
     }
 
     /// Whether it comes from a file, which must be chosen first.

@@ -5,9 +5,13 @@
 
 pub mod action;
 pub mod dialogs;
+pub mod doctor;
 pub mod document;
 pub mod files;
+pub mod live;
+pub mod panels;
 pub mod shortcuts;
 pub mod text;
 pub mod theme;
+pub mod viewport;
 pub mod widgets;

@@ -18,4 +18,4 @@ pub use glam::{Affine3A, Mat3, Quat, Vec2, Vec3, Vec4};
 pub use offset::{OFFSET_SHARE, OFFSET_STEPS, offset_origin};
 pub use power::pow_unit;
 pub use ray::Ray;
-pub use transform::{Axis, Transform, rotation_from_turn};
+pub use transform::{Axis, Transform, rotation_from_turn, turn_from_rotation};

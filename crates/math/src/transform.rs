@@ -46,6 +46,22 @@ pub fn rotation_from_turn(turn_deg: Vec3) -> Mat3 {
     Axis::Z.rotation_deg(turn_deg.z) * Axis::Y.rotation_deg(turn_deg.y) * Axis::X.rotation_deg(turn_deg.x)
 }
 
+/// The angles, in degrees, whose turns about the world's X axis, then Y, then Z make this rotation: [`rotation_from_turn`]
+/// the other way round.
+#[must_use]
+pub fn turn_from_rotation(r: Mat3) -> Vec3 {
+    // R = Rz·Ry·Rx, so the first column is (cz·cy, sz·cy, −sy).
+    let (x, y, z) = (r.x_axis, r.y_axis, r.z_axis);
+    let sin_y = (-x.z).clamp(-1.0, 1.0);
+    let turn = if sin_y.abs() < 0.999_999 {
+        Vec3::new(libm::atan2f(y.z, z.z), libm::asinf(sin_y), libm::atan2f(x.y, x.x))
+    } else {
+        // Turned along the axis of the first turn: the third can take its part.
+        Vec3::new(libm::atan2f(-z.y, y.y), libm::asinf(sin_y), 0.0)
+    };
+    turn * 180.0 / std::f32::consts::PI
+}
+
 /// An affine map from an object's own space to the world, with its inverse.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Transform {
@@ -151,6 +167,15 @@ mod tests {
         let r = rotation_from_turn(Vec3::new(90.0, 90.0, 0.0));
         // Y →(X) Z →(Y) X
         assert_eq!(r * Vec3::Y, Vec3::X);
+    }
+
+    #[test]
+    fn angles_are_found_again_from_the_rotation() {
+        for turn in [Vec3::new(10.0, 35.0, -20.0), Vec3::new(-170.0, 80.0, 3.0), Vec3::new(40.0, 90.0, 30.0)] {
+            let r = rotation_from_turn(turn);
+            let again = rotation_from_turn(turn_from_rotation(r));
+            assert!(again.abs_diff_eq(r, 2e-6), "{turn}: {again} instead of {r}");
+        }
     }
 
     #[test]

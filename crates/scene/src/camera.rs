@@ -1,7 +1,7 @@
 //! The camera: where it stands, where it looks.
 
 use crate::{ParamKind, Range};
-use vitrine_math::{Axis, Mat3, Vec3, rotation_from_turn};
+use vitrine_math::{Axis, Mat3, Vec3, rotation_from_turn, turn_from_rotation};
 
 crate::params! {
     /// The eye. Not turned, it looks along −Z with Y up.
@@ -41,7 +41,7 @@ impl Camera {
     /// Turns the camera about an axis of the world through itself (course work, section 3.3). What was aimed by
     /// `look_at` is aimed by `turn_deg` afterwards.
     pub fn turn(&mut self, axis: Axis, angle_deg: f32) {
-        self.turn_deg = Some(turn_of(axis.rotation_deg(angle_deg) * self.rotation()));
+        self.turn_deg = Some(turn_from_rotation(axis.rotation_deg(angle_deg) * self.rotation()));
         self.look_at = None;
     }
 
@@ -76,20 +76,6 @@ fn looking_along(forward: Vec3) -> Mat3 {
     // Straight up or down leaves "right" open: keep the world's X.
     let right = if right.length_squared() > 1e-12 { right.normalize() } else { Vec3::X };
     Mat3::from_cols(right, back.cross(right), back)
-}
-
-/// The angles, in degrees, whose turns about X, then Y, then Z make this rotation.
-fn turn_of(r: Mat3) -> Vec3 {
-    // R = Rz·Ry·Rx, so the first column is (cz·cy, sz·cy, −sy).
-    let (x, y, z) = (r.x_axis, r.y_axis, r.z_axis);
-    let sin_y = (-x.z).clamp(-1.0, 1.0);
-    let turn = if sin_y.abs() < 0.999_999 {
-        Vec3::new(libm::atan2f(y.z, z.z), libm::asinf(sin_y), libm::atan2f(x.y, x.x))
-    } else {
-        // Looking along the axis of the first turn: the third can take its part.
-        Vec3::new(libm::atan2f(-z.y, y.y), libm::asinf(sin_y), 0.0)
-    };
-    turn * 180.0 / std::f32::consts::PI
 }
 
 #[cfg(test)]

@@ -83,7 +83,7 @@ impl fmt::Display for Range {
 }
 
 /// Which list of the scene a name refers to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum ListName {
     /// `[[object]]`
     Object,

@@ -67,17 +67,24 @@ impl GroupPlaces<'_> {
     #[must_use]
     pub fn world_from_object(&self, object: &Object) -> Transform {
         let place = object.place();
-        self.around(object).map_or(place, |group| group.world_from_group.after(&place))
+        self.around(object.group.as_deref()).map_or(place, |group| group.world_from_group.after(&place))
+    }
+
+    /// From the space of a group's members to the world, through the groups around it. `None` and a missing group are the
+    /// world itself.
+    #[must_use]
+    pub fn world_from_group(&self, group: Option<&str>) -> Transform {
+        self.around(group).map_or_else(Transform::default, |group| group.world_from_group)
     }
 
     /// Whether an object and all groups around it are visible.
     #[must_use]
     pub fn is_seen(&self, object: &Object) -> bool {
-        object.visible && self.around(object).is_none_or(|group| group.is_seen)
+        object.visible && self.around(object.group.as_deref()).is_none_or(|group| group.is_seen)
     }
 
-    fn around(&self, object: &Object) -> Option<&GroupPlace> {
-        let index = self.index_of.get(object.group.as_deref()?)?;
+    fn around(&self, group: Option<&str>) -> Option<&GroupPlace> {
+        let index = self.index_of.get(group?)?;
         self.places.get(*index)
     }
 }

@@ -41,7 +41,7 @@ pub mod templates;
 
 pub use error::Error;
 pub use hash::SceneHash;
-pub use project::{Project, load};
+pub use project::{Project, load, metadata_of};
 pub use vitrine_film as film;
 pub use vitrine_formats as formats;
 pub use vitrine_math as math;

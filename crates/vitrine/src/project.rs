@@ -124,18 +124,25 @@ impl Project {
     /// What a picture's file says of how it was made.
     #[must_use]
     pub fn metadata(&self, settings: &Settings) -> Vec<(String, String)> {
-        let pairs = [
-            ("Software", format!("Vitrine {VERSION}")),
-            ("Title", self.name()),
-            ("Description", self.scene.about.clone()),
-            ("vitrine:scene-hash", self.hash().to_string()),
-            ("vitrine:renderer", settings.renderer.word().to_owned()),
-            ("vitrine:samples", settings.samples.to_string()),
-            ("vitrine:depth", settings.depth.to_string()),
-            ("vitrine:seed", settings.seed.to_string()),
-        ];
-        pairs.into_iter().filter(|(_, v)| !v.is_empty()).map(|(k, v)| (k.to_owned(), v)).collect()
+        metadata_of(&self.name(), &self.scene.about, self.hash(), settings)
     }
+}
+
+/// The same for a scene that is in no project: its name, its line of what it shows, its mark, and the settings with which
+/// the picture was made.
+#[must_use]
+pub fn metadata_of(name: &str, about: &str, hash: SceneHash, settings: &Settings) -> Vec<(String, String)> {
+    let pairs = [
+        ("Software", format!("Vitrine {VERSION}")),
+        ("Title", name.to_owned()),
+        ("Description", about.to_owned()),
+        ("vitrine:scene-hash", hash.to_string()),
+        ("vitrine:renderer", settings.renderer.word().to_owned()),
+        ("vitrine:samples", settings.samples.to_string()),
+        ("vitrine:depth", settings.depth.to_string()),
+        ("vitrine:seed", settings.seed.to_string()),
+    ];
+    pairs.into_iter().filter(|(_, v)| !v.is_empty()).map(|(k, v)| (k.to_owned(), v)).collect()
 }
 
 fn folder_of(path: &Path) -> &Path {

@@ -5,6 +5,7 @@ unit-degrees = °
 unit-pixels = px
 
 widgets-mixed = mixed
+widgets-auto = auto
 widgets-none = none
 widgets-no-number = “{ $text }” is not a number
 widgets-whole-only = Whole numbers only

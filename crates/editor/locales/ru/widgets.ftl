@@ -5,6 +5,7 @@ unit-degrees = °
 unit-pixels = пикс.
 
 widgets-mixed = разные
+widgets-auto = авто
 widgets-none = нет
 widgets-no-number = «{ $text }» — не число
 widgets-whole-only = Только целые числа

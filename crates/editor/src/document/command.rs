@@ -2,12 +2,12 @@
 
 use super::Thing;
 use vitrine::math::{Axis, Vec3};
-use vitrine::scene::{Light, Material, Object, Texture, Value};
+use vitrine::scene::{Group, Light, Material, Object, Texture, Value};
 
 /// A change of the scene: one step of the history.
 #[derive(Clone, Debug, PartialEq)]
 pub enum EditCommand {
-    /// Sets a parameter of one or several things.
+    /// Sets a parameter of one or several things; of several, those that have it.
     Set {
         /// Whose.
         things: Vec<Thing>,
@@ -16,7 +16,7 @@ pub enum EditCommand {
         /// To what.
         value: Value,
     },
-    /// Makes a light, texture or object another kind, with that kind's defaults.
+    /// Makes a light, texture or object another kind. What both kinds have stays, the rest is as that kind's defaults.
     SetKind {
         /// Which.
         thing: Thing,
@@ -36,11 +36,11 @@ pub enum EditCommand {
     Add(Addition),
     /// Deletes things; nothing refers to them afterwards. Groups take their members along.
     Delete(Vec<Thing>),
-    /// Copies things beside themselves and selects the copies.
+    /// Copies things beside themselves and selects the copies. Groups are copied with their members.
     Duplicate(Vec<Thing>),
-    /// Adds what a copied text says and selects it.
+    /// Adds what a copied text says and selects it: where it was, or beside that when it is there still.
     Paste(String),
-    /// Puts things into a new group.
+    /// Puts objects and groups into a new group, whose origin is in their middle. They stay where they are.
     Group(Vec<Thing>),
     /// Takes groups apart; their members stay where they are.
     Ungroup(Vec<Thing>),
@@ -58,7 +58,7 @@ pub enum EditCommand {
         /// How far.
         by: Vec3,
     },
-    /// Turns about an axis of the world, each thing through its own centre.
+    /// Turns about an axis of the world, each thing through its own centre: objects, groups, sunlight, the camera.
     Turn {
         /// What.
         things: Vec<Thing>,
@@ -67,7 +67,7 @@ pub enum EditCommand {
         /// How far, degrees.
         angle_deg: f32,
     },
-    /// Makes so many times larger along the thing's own axes.
+    /// Makes so many times larger along the thing's own axes: objects, groups, disc lamps.
     Resize {
         /// What.
         things: Vec<Thing>,
@@ -85,6 +85,8 @@ pub enum EditCommand {
     },
     /// Moves the camera.
     Camera(CameraMove),
+    /// Several edits as one step; when one of them is refused, none is made.
+    Several(Vec<EditCommand>),
 }
 
 /// New things, with the material and texture that come with them.
@@ -92,12 +94,33 @@ pub enum EditCommand {
 pub struct Addition {
     /// Objects; they name materials by the names in `materials` or in the scene.
     pub objects: Vec<Object>,
+    /// Groups that come with them.
+    pub groups: Vec<Group>,
     /// Lights.
     pub lights: Vec<Light>,
-    /// Materials; one that the scene has already, all alike, is not added again.
+    /// Materials; one that the scene has already, alike in all but a number after its name, is not added again.
     pub materials: Vec<Material>,
     /// Textures, likewise.
     pub textures: Vec<Texture>,
+}
+
+impl Addition {
+    /// The same with another name for its only object or light, and for a material that is named after it.
+    #[must_use]
+    pub fn named(mut self, name: &str) -> Self {
+        let old = self.objects.first().map(|o| o.name.clone());
+        for material in self.materials.iter_mut().filter(|m| Some(&m.name) == old.as_ref()) {
+            name.clone_into(&mut material.name);
+        }
+        for object in &mut self.objects {
+            if object.material == old {
+                object.material = Some(name.to_owned());
+            }
+            name.clone_into(&mut object.name);
+        }
+        self.lights.iter_mut().for_each(|light| name.clone_into(&mut light.name));
+        self
+    }
 }
 
 /// A material to paint with, and the texture that it needs.

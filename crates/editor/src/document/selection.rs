@@ -1,6 +1,8 @@
 //! What is selected: things in the order in which they were chosen; the last is the one whose properties are shown.
 
 use super::Thing;
+use super::thing::Places;
+use std::collections::HashSet;
 use vitrine::scene::Scene;
 
 /// What is selected.
@@ -11,9 +13,8 @@ impl Selection {
     /// These things and no others.
     #[must_use]
     pub fn of(things: impl IntoIterator<Item = Thing>) -> Self {
-        let mut selection = Self::default();
-        things.into_iter().for_each(|t| selection.add(t));
-        selection
+        let mut seen = HashSet::new();
+        Self(things.into_iter().filter(|thing| seen.insert(thing.clone())).collect())
     }
 
     /// The things, in the order in which they were chosen.
@@ -57,7 +58,8 @@ impl Selection {
 
     /// Forgets what is no longer in the scene.
     pub fn keep_what_is_in(&mut self, scene: &Scene) {
-        self.0.retain(|t| t.owner(scene).is_some());
+        let mut places = Places::new(scene);
+        self.0.retain(|t| places.owner(t).is_some());
     }
 
     /// Follows a thing to its new name.

@@ -1,9 +1,10 @@
 //! What a person points at: anything in the scene that has parameters.
 
+use std::collections::HashMap;
 use vitrine::scene::{ListName, Owner, Scene};
 
 /// Something that has parameters and can be selected, by name: names stay true while lists change.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Thing {
     /// How the picture is made.
     Settings,
@@ -79,5 +80,37 @@ impl Thing {
                 scene.names(list).nth(index).map(|name| Self::Item(list, name.to_owned()))
             }
         }
+    }
+}
+
+/// Where things are, to ask about many of them: each list is walked once.
+#[derive(Debug)]
+pub(super) struct Places<'a> {
+    scene: &'a Scene,
+    lists: [Option<HashMap<&'a str, usize>>; ListName::ALL.len()],
+}
+
+impl<'a> Places<'a> {
+    pub(super) fn new(scene: &'a Scene) -> Self {
+        Self { scene, lists: [const { None }; ListName::ALL.len()] }
+    }
+
+    /// Where a thing is; None when it is not there.
+    pub(super) fn owner(&mut self, thing: &Thing) -> Option<Owner> {
+        match thing {
+            Thing::Settings => Some(Owner::Settings),
+            Thing::Camera => Some(Owner::Camera),
+            Thing::Item(list, name) => self.index(*list, name).map(|index| Owner::Item(*list, index)),
+        }
+    }
+
+    /// The index of the entry of that name.
+    pub(super) fn index(&mut self, list: ListName, name: &str) -> Option<usize> {
+        let at = ListName::ALL.iter().position(|l| *l == list)?;
+        let scene = self.scene;
+        let index_of = self.lists[at].get_or_insert_with(|| {
+            scene.names(list).enumerate().map(|(index, name)| (name, index)).collect()
+        });
+        index_of.get(name).copied()
     }
 }

@@ -139,7 +139,7 @@ pub fn lights_ui(ui: &mut Ui, action: fn(NewThing) -> Action, actions: &mut Acti
 
 fn kind_entry_ui(ui: &mut Ui, new: NewThing, action: fn(NewThing) -> Action, actions: &mut Actions) {
     let name = kind_name(new.kind_word());
-    let response = ui.add(Button::new(format!("{}  {name}", theme::icons::of_kind(new.kind_word()))));
+    let response = ui.add(Button::new(format!("{}  {name}", new.icon())));
     if response.clicked() {
         actions.push(action(new));
         ui.close();

@@ -2,6 +2,7 @@
 
 pub mod list;
 pub mod menu;
+pub mod properties;
 pub mod status;
 pub mod toolbar;
 

@@ -66,7 +66,7 @@ fn add_ui(ui: &mut Ui, actions: &mut Actions) {
         let name = try_tr(&format!("toolbar-{word}")).unwrap_or_else(|| kind_name(word));
         let tooltip = try_tr(&format!("toolbar-{word}.tooltip"));
         let tooltip = tooltip.unwrap_or_else(|| tr!("menu-add-tooltip", name = name.as_str()));
-        if tool_button(ui, icons::of_kind(word), &name, &tooltip, "").clicked() {
+        if tool_button(ui, new.icon(), &name, &tooltip, "").clicked() {
             actions.push(if new.is_model() { Action::LoadModel } else { Action::AddQuick(new) });
         }
     }

@@ -4,7 +4,7 @@
 //! is that message's attribute `tooltip`; in English the description itself is the tooltip unless a locale says otherwise.
 
 use super::{tr, try_tr, try_tr_here};
-use vitrine::scene::{ListName, ParamSpec};
+use vitrine::scene::{Group, Item as _, Light, ListName, Material, Object, ParamSpec, Texture};
 
 /// The label of a parameter. `kind` is the word of the kind ("sphere"), of the list ("object"), "camera" or "settings".
 #[must_use]
@@ -41,8 +41,14 @@ pub fn choice_name(spec: &ParamSpec, word: &str) -> String {
     try_tr(&format!("choice-{}-{word}", spec.name)).unwrap_or_else(|| word.to_owned())
 }
 
-/// The word under which the parameters that all entries of a list have are looked up.
+/// The parameters that all entries of a list have, whatever their kind. Their texts are looked up under the list's word.
 #[must_use]
-pub const fn kind_of_list(list: ListName) -> &'static str {
-    list.key()
+pub const fn own_specs(list: ListName) -> &'static [ParamSpec] {
+    match list {
+        ListName::Object => Object::OWN_SPECS,
+        ListName::Light => Light::OWN_SPECS,
+        ListName::Material => Material::OWN_SPECS,
+        ListName::Texture => Texture::OWN_SPECS,
+        ListName::Group => Group::OWN_SPECS,
+    }
 }

@@ -12,7 +12,8 @@ pub use tokens::{Sizes, Theme, shown};
 use crate::files::Config;
 use eframe::egui::{Context, Id};
 
-/// Gives the whole window its look, as the settings of the program say. Call it at the start and when they change.
+/// Gives the whole window its look, as the settings of the program say. Call it at the start and when they change; fonts are
+/// there from the next frame on.
 pub fn apply(ctx: &Context, config: &Config) {
     let theme = Theme::of_config(config);
     ctx.data_mut(|data| data.insert_temp(key(), config.high_contrast));

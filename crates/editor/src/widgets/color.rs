@@ -31,12 +31,7 @@ pub fn color_field(ui: &mut Ui, field: &Field<'_>, value: Rgb) -> Option<Edit<Rg
         })
         .inner
     });
-    let fault: Option<String> = ui.data(|d| d.get_temp(id.with("fault")));
-    if let Some(fault) = fault {
-        let theme = theme::of(ui);
-        let text = eframe::egui::RichText::new(fault).color(theme.error_text).size(theme.sizes.text_small);
-        ui.add(eframe::egui::Label::new(text).wrap());
-    }
+    field::show_fault(ui, id);
     edit
 }
 

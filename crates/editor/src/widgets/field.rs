@@ -3,7 +3,10 @@
 use crate::document::Gesture;
 use crate::theme;
 use eframe::egui::text::LayoutJob;
-use eframe::egui::{Align, FontId, Label, Layout, Response, TextFormat, Ui, vec2};
+use crate::tr;
+use eframe::egui::{
+    Align, FontId, Id, Label, Layout, Response, RichText, Sense, TextFormat, Ui, vec2,
+};
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// The words of a control, and what its value stands for.
@@ -71,20 +74,28 @@ pub fn describe(response: Response, name: &str, tooltip: &str) -> Response {
     response.on_hover_text(tooltip).on_disabled_hover_text(tooltip)
 }
 
-/// A visible label; what stands in brackets is less important and drawn so.
-pub(super) fn label(ui: &mut Ui, text: &str, tooltip: &str) -> Response {
-    let job = label_job(ui, text);
-    let response = ui.add(Label::new(job).selectable(false).wrap());
-    if tooltip.is_empty() { response } else { response.on_hover_text(tooltip) }
+/// A visible label; what stands in brackets is less important and drawn so. It is the control's name already, so screen
+/// readers do not hear it twice.
+pub(super) fn label(ui: &mut Ui, field: &Field<'_>) -> Response {
+    let mut job = label_job(ui, field);
+    job.wrap.max_width = ui.available_width();
+    let galley = ui.painter().layout_job(job);
+    let (rect, response) = ui.allocate_exact_size(galley.size(), Sense::hover());
+    ui.painter().galley(rect.min, galley, theme::of(ui).text);
+    if field.tooltip.is_empty() { response } else { response.on_hover_text(field.tooltip) }
 }
 
-fn label_job(ui: &Ui, text: &str) -> LayoutJob {
+fn label_job(ui: &Ui, field: &Field<'_>) -> LayoutJob {
     let theme = theme::of(ui);
-    let format = |color| TextFormat::simple(FontId::proportional(theme.sizes.text), color);
-    let (main, rest) = text.find(" (").map_or((text, ""), |at| text.split_at(at));
+    let sizes = &theme.sizes;
+    let format = |size, color| TextFormat::simple(FontId::proportional(size), color);
+    let (main, rest) = field.label.find(" (").map_or((field.label, ""), |at| field.label.split_at(at));
     let mut job = LayoutJob::default();
-    job.append(main, 0.0, format(theme.text));
-    job.append(rest, 0.0, format(theme.text_muted));
+    job.append(main, 0.0, format(sizes.text, theme.text));
+    job.append(rest, 0.0, format(sizes.text, theme.text_muted));
+    if field.shown == Shown::Derived {
+        job.append(&tr!("widgets-auto"), sizes.gap_m, format(sizes.text_small, theme.text_muted));
+    }
     job
 }
 
@@ -95,21 +106,34 @@ pub(super) fn labelled<R>(
     width: f32,
     control: impl FnOnce(&mut Ui, f32) -> R,
 ) -> R {
-    let gap = theme::of(ui).sizes.gap_m;
-    let font = FontId::proportional(theme::of(ui).sizes.text);
-    let text = ui.painter().layout_no_wrap(field.label.to_owned(), font, theme::of(ui).text);
+    let sizes = &theme::of(ui).sizes;
+    let text = ui.painter().layout_job(label_job(ui, field));
     let all = ui.available_width();
-    if text.size().x + gap + width > all {
-        label(ui, field.label, field.tooltip);
-        let inner = control(ui, all);
-        return inner;
+    if text.size().x + sizes.gap_m + width > all {
+        return ui
+            .vertical(|ui| {
+                ui.spacing_mut().item_spacing.y = sizes.gap_s;
+                label(ui, field);
+                control(ui, all)
+            })
+            .inner;
     }
-    let height = theme::of(ui).sizes.control;
-    ui.allocate_ui_with_layout(vec2(all, height), Layout::left_to_right(Align::Center), |ui| {
-        ui.set_min_height(height);
-        label(ui, field.label, field.tooltip);
+    ui.allocate_ui_with_layout(vec2(all, sizes.control), Layout::left_to_right(Align::Center), |ui| {
+        ui.spacing_mut().item_spacing.x = 0.0;
+        ui.set_min_height(sizes.control);
+        label(ui, field);
         ui.add_space((ui.available_width() - width).max(0.0));
         control(ui, width)
     })
     .inner
+}
+
+/// Says why what was typed has not been taken, if a control with this id has noted that.
+pub(super) fn show_fault(ui: &mut Ui, id: Id) {
+    let fault: Option<String> = ui.data(|d| d.get_temp(id.with("fault")));
+    if let Some(fault) = fault {
+        let theme = theme::of(ui);
+        let text = RichText::new(fault).color(theme.error_text).size(theme.sizes.text_small);
+        ui.add(Label::new(text).wrap());
+    }
 }

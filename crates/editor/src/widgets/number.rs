@@ -108,7 +108,7 @@ pub fn number_field(ui: &mut Ui, field: &Field<'_>, number: &Number, value: f64)
     let edit = field::labelled(ui, field, width, |ui, _| {
         number_box(ui, &NumberBox { id, width, field, number }, value)
     });
-    show_fault(ui, id);
+    field::show_fault(ui, id);
     edit
 }
 
@@ -119,16 +119,6 @@ pub(super) fn box_width(ui: &Ui) -> f32 {
 
 pub(super) fn box_id(ui: &Ui, label: &str) -> Id {
     ui.make_persistent_id(("number", label))
-}
-
-/// Says why what was typed has not been taken.
-pub(super) fn show_fault(ui: &mut Ui, id: Id) {
-    let fault: Option<String> = ui.data(|d| d.get_temp(id.with("fault")));
-    if let Some(fault) = fault {
-        let theme = theme::of(ui);
-        let text = eframe::egui::RichText::new(fault).color(theme.error_text).size(theme.sizes.text_small);
-        ui.add(eframe::egui::Label::new(text).wrap());
-    }
 }
 
 /// The box alone, without a label.

@@ -128,7 +128,7 @@ fn numbers(
 ) -> Option<Edit<Vec<f64>>> {
     let number = Number::of(spec);
     let mut edit = None;
-    super::field::label(ui, field.label, field.tooltip);
+    super::field::label(ui, field);
     for (i, (word, value)) in parts.iter().enumerate() {
         let name = tr!("widgets-axis-of", name = field.label, axis = word.as_str());
         let one = Field { label: &name, ..*field };

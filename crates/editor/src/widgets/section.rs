@@ -42,11 +42,10 @@ pub fn section<R>(ui: &mut Ui, title: &str, open: bool, contents: impl FnOnce(&m
 }
 
 /// What a place says that has nothing to show.
-pub fn empty_hint(ui: &mut Ui, icon: &str, text: &str) {
+pub fn empty_hint(ui: &mut Ui, text: &str) {
     let theme = theme::of(ui);
     ui.add_space(theme.sizes.gap_xl);
     ui.vertical_centered(|ui| {
-        ui.label(RichText::new(icon).font(icon_font(theme.sizes.icon * 2.0)).color(theme.border));
         ui.add(Label::new(RichText::new(text).color(theme.text_muted)).wrap());
     });
     ui.add_space(theme.sizes.gap_xl);

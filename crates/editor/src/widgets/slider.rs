@@ -1,7 +1,7 @@
 //! A slider with a box for its number.
 
 use super::field::{self, Edit, Field, Shown};
-use super::number::{Number, NumberBox, box_id, number_box, show_fault};
+use super::number::{Number, NumberBox, box_id, number_box};
 use super::{describe, new_gesture};
 use crate::document::Gesture;
 use crate::theme;
@@ -23,7 +23,7 @@ pub fn slider_with_value(
     let edit = ui
         .vertical(|ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
-            field::label(ui, field.label, field.tooltip);
+            field::label(ui, field);
             ui.horizontal(|ui| {
                 ui.spacing_mut().slider_width = ui.available_width() - width - gap;
                 let moved = rail(ui, field, number, [from, to], value);
@@ -33,7 +33,7 @@ pub fn slider_with_value(
             .inner
         })
         .inner;
-    show_fault(ui, id);
+    field::show_fault(ui, id);
     edit
 }
 

@@ -18,7 +18,7 @@ struct Typing {
 /// A label and below it a line of text. The value comes once typing has ended, with Enter or elsewhere; Esc keeps the old.
 pub fn text_field(ui: &mut Ui, field: &Field<'_>, value: &str) -> Option<Edit<String>> {
     if !field.label.is_empty() {
-        field::label(ui, field.label, field.tooltip);
+        field::label(ui, field);
     }
     let width = ui.available_width();
     line(ui, field, width, value)
@@ -66,7 +66,7 @@ pub enum FileAnswer {
 /// A label and below it a path, with a button that opens the list of files.
 pub fn file_field(ui: &mut Ui, field: &Field<'_>, path: &str) -> Option<FileAnswer> {
     let mut answer = None;
-    field::label(ui, field.label, field.tooltip);
+    field::label(ui, field);
     ui.horizontal(|ui| {
         let sizes = &theme::of(ui).sizes;
         let width = ui.available_width() - sizes.control - sizes.gap_s;

@@ -1,7 +1,7 @@
 //! Three boxes in a row, for x, y and z.
 
 use super::field::{self, Edit, Field};
-use super::number::{Number, NumberBox, box_id, number_box, show_fault};
+use super::number::{Number, NumberBox, box_id, number_box};
 use crate::theme;
 use crate::tr;
 use eframe::egui::{Align, FontId, Layout, RichText, Ui, vec2};
@@ -10,7 +10,7 @@ use vitrine::math::Vec3;
 /// A label and below it a box for each of x, y and z, with the letter in the axis's colour.
 pub fn vector_field(ui: &mut Ui, field: &Field<'_>, number: &Number, value: Vec3) -> Option<Edit<Vec3>> {
     if !field.label.is_empty() {
-        field::label(ui, field.label, field.tooltip);
+        field::label(ui, field);
     }
     let sizes = &theme::of(ui).sizes;
     let letter = sizes.text;
@@ -40,6 +40,6 @@ pub fn vector_field(ui: &mut Ui, field: &Field<'_>, number: &Number, value: Vec3
             }
         }
     });
-    ids.into_iter().for_each(|id| show_fault(ui, id));
+    ids.into_iter().for_each(|id| field::show_fault(ui, id));
     edit
 }

@@ -51,7 +51,7 @@ pub fn list_ui(ui: &mut Ui, document: &Document, state: &mut ListState, actions:
         |ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
             if rows.is_empty() {
-                empty_hint(ui, &tr!("list-nothing-found"));
+                empty_hint(ui, icons::SEARCH, &tr!("list-nothing-found"));
             }
             for row in &rows {
                 row_ui(ui, document, row, &rows, (state, actions));
@@ -108,7 +108,7 @@ fn row_ui(
         (false, false) => theme.text_muted,
     };
     let icon_at = pos2(left + sizes.gap_s, body.center().y);
-    ui.painter().text(icon_at, Align2::LEFT_CENTER, icons::of_kind(row.kind), theme::icon_font(sizes.icon), color);
+    ui.painter().text(icon_at, Align2::LEFT_CENTER, row.icon(), theme::icon_font(sizes.icon), color);
     let text_left = left + sizes.gap_s + sizes.icon + sizes.gap_s + sizes.gap_xs;
     let text_rect = Rect::from_min_max(pos2(text_left, body.top()), body.max);
     if state.renaming.as_ref().is_some_and(|(thing, _)| *thing == row.thing) {

@@ -1,6 +1,7 @@
 //! The rows of the list: groups with their members under them, then objects that are in no group, lights, the camera.
 
 use crate::document::Thing;
+use crate::theme::icons;
 use std::collections::HashSet;
 use vitrine::scene::{ListName, Scene};
 
@@ -17,6 +18,14 @@ pub struct Row {
     pub visible: Option<bool>,
     /// Whether it has rows under it that are not shown now.
     pub is_closed: bool,
+}
+
+impl Row {
+    /// The icon of its kind.
+    #[must_use]
+    pub fn icon(&self) -> &'static str {
+        self.thing.list().map_or_else(|| icons::of_kind(self.kind), |list| icons::of_item(list, self.kind))
+    }
 }
 
 /// The rows for a scene. With a search only the things whose names hold it, without groups around them.

@@ -1,0 +1,140 @@
+//! Saving the picture: as it is, or after a render of its own; the file is written on another thread.
+
+use super::Editor;
+use crate::dialogs::{Dialog, ErrorReport, Failure, PictureSource, SaveDialog, SavePictureRequest};
+use crate::document::Document;
+use crate::files::{Task, TaskState, Wake};
+use crate::live::{FinalImage, FinalState};
+use crate::text::tr;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::time::Duration;
+use vitrine::formats::{self, FormatError};
+use vitrine::scene::Scene;
+use vitrine::{SceneHash, metadata_of};
+
+/// What is being saved.
+#[derive(Default)]
+pub struct PictureSaver {
+    /// Wanted as soon as its render is complete, with the metadata of the scene as it was.
+    waiting: Option<(SavePictureRequest, Vec<(String, String)>)>,
+    /// Being written.
+    writing: Option<Task<Result<PathBuf, FormatError>>>,
+    /// Samples of pixels in a second, as the last final render went.
+    rate: Option<f64>,
+    /// How many pictures have been saved.
+    saved: usize,
+}
+
+impl PictureSaver {
+    /// Samples of pixels that the renderer makes in a second; None when no final render has told.
+    #[must_use]
+    pub const fn samples_per_second(&self) -> Option<f64> {
+        self.rate
+    }
+
+    /// How many pictures have been saved.
+    #[must_use]
+    pub const fn saved(&self) -> usize {
+        self.saved
+    }
+
+    fn write(&mut self, image: Arc<FinalImage>, (request, mut metadata): (SavePictureRequest, Vec<(String, String)>), wake: Wake) {
+        if !image.is_complete {
+            metadata.push(("vitrine:complete".into(), "false".into()));
+        }
+        self.writing = Some(Task::spawn(wake, move || {
+            let options = request.write_options(metadata);
+            formats::write_image(&request.path, &image.image(), &options).map(|()| request.path)
+        }));
+    }
+}
+
+impl Editor {
+    /// Opens the dialog «Save picture».
+    pub(super) fn ask_how_to_save_picture(&mut self) {
+        let settings = self.final_settings();
+        let path = self.picture_path();
+        let dialog = SaveDialog::new(&path, &settings, self.current_picture());
+        self.dialog = Some(Dialog::SavePicture(Box::new(dialog)));
+    }
+
+    /// The settings of the final render whose picture is there, else those of the scene.
+    fn final_settings(&self) -> vitrine::scene::Settings {
+        let there = self.live.final_image().filter(|_| self.current_picture().is_some());
+        there.map_or_else(|| self.document.scene().settings.clone(), |image| image.scene.settings.clone())
+    }
+
+    /// Where a picture goes unless a person says otherwise: beside the scene, or among the person's pictures. A new name
+    /// for each, so that none is lost.
+    fn picture_path(&self) -> PathBuf {
+        let folder = match self.document.path().and_then(std::path::Path::parent) {
+            Some(folder) => folder.to_owned(),
+            None => self.places.pictures_folder(),
+        };
+        let name = self.document.title().unwrap_or_else(|| tr!("app-untitled"));
+        let name = name.strip_suffix(".vitrine.toml").or_else(|| name.strip_suffix(".toml")).unwrap_or(&name);
+        let numbered = |n: u32| if n == 1 { format!("{name}.png") } else { format!("{name} {n}.png") };
+        let free = (1..1000).map(|n| folder.join(numbered(n))).find(|path| !path.exists());
+        free.unwrap_or_else(|| folder.join(numbered(1)))
+    }
+
+    /// Saves a picture, now or when its render is complete.
+    pub(super) fn save_picture(&mut self, request: SavePictureRequest) {
+        let current = self.live.final_image().filter(|_| request.source == PictureSource::Current);
+        let metadata = metadata(&self.document, &request);
+        if let Some(image) = current {
+            self.picture.write(image, (request, metadata), self.wake.clone());
+            return;
+        }
+        let scene = Scene { settings: request.settings.clone(), ..Scene::clone(self.document.scene()) };
+        let wanted = self.viewport.request_of(Arc::new(scene), self.document.assets().clone());
+        self.picture.waiting = Some((request, metadata));
+        self.live.start_final(wanted);
+    }
+
+    /// Looks whether a picture that was waited for is complete, and whether one has been written.
+    pub(super) fn look_after_pictures(&mut self) {
+        let state = self.live.final_state();
+        if state == FinalState::Done {
+            let status = self.live.status();
+            if status.elapsed > Duration::ZERO && status.samples_total > 0 {
+                self.picture.rate = Some(status.samples_total as f64 / status.elapsed.as_secs_f64());
+            }
+            if let (Some(waiting), Some(image)) = (self.picture.waiting.take(), self.live.final_image()) {
+                self.picture.write(image, waiting, self.wake.clone());
+            }
+        }
+        if let Some(error) = self.live.status().error.filter(|_| self.picture.waiting.is_some()) {
+            self.picture.waiting = None;
+            let report = ErrorReport::new(Failure::Render, error.to_string(), "");
+            self.dialog = Some(Dialog::Error(Box::new(report)));
+        }
+        let Some(task) = &mut self.picture.writing else { return };
+        match task.poll() {
+            TaskState::Running => return,
+            TaskState::Done(Ok(path)) => {
+                self.picture.saved += 1;
+                self.notices.success(tr!("app-picture-saved", path = path.display().to_string()));
+            }
+            TaskState::Done(Err(error)) => {
+                self.dialog = Some(Dialog::Error(Box::new(ErrorReport::of_file(Failure::SavePicture, &error))));
+            }
+            TaskState::Over => {}
+        }
+        self.picture.writing = None;
+    }
+
+    /// Waits for no picture any more: its render was stopped or another one begun.
+    pub(super) fn forget_waiting_picture(&mut self) {
+        if self.picture.waiting.take().is_some() {
+            self.notices.info(tr!("app-picture-not-saved"));
+        }
+    }
+}
+
+fn metadata(document: &Document, request: &SavePictureRequest) -> Vec<(String, String)> {
+    let hash = SceneHash::of(&document.text());
+    let name = document.title().unwrap_or_default();
+    metadata_of(&name, &document.scene().about, hash, &request.settings)
+}

@@ -1,0 +1,341 @@
+//! Opening, saving and adding from files, each on another thread while the window goes on.
+
+use super::chooser::Purpose;
+use super::{Editor, notices};
+use crate::action::Action;
+use crate::dialogs::{Changed, Dialog, ErrorReport, Failure, LoadedModel, ModelDialog, Unsaved};
+use crate::document::{Document, EditCommand, Thing};
+use crate::files::{
+    NewAsset, OpenError, Opened, SaveError, SaveRequest, Saved, Seen, Task, TaskState, read_model, read_picture,
+    read_scene, read_template, save,
+};
+use crate::text::tr;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use vitrine::scene::{Scene, Shape};
+
+/// What is being read and written.
+#[derive(Default)]
+pub struct Scenes {
+    opening: Option<Task<Result<Opened, OpenError>>>,
+    saving: Option<Saving>,
+    adding: Option<(Task<Result<NewAsset, OpenError>>, Addend)>,
+    /// What the scene's file said last.
+    seen: Option<Seen>,
+    /// What waits until the scene has been saved.
+    after_save: Option<Action>,
+}
+
+/// A scene that is being written.
+struct Saving {
+    task: Task<Result<Saved, SaveError>>,
+    path: PathBuf,
+    /// The scene that is written.
+    scene: Arc<Scene>,
+}
+
+/// What a file is read for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Addend {
+    /// A model, for the dialog «Model settings».
+    Model,
+    /// A picture, for the dialog that is open.
+    PictureForDialog,
+    /// A picture, for what is selected.
+    PictureForSelection,
+}
+
+impl Editor {
+    /// Does something that puts another scene in place of this one, or asks first what to do with unsaved changes.
+    pub(super) fn unless_unsaved(&mut self, action: Action, go: impl FnOnce(&mut Self)) {
+        if self.document.is_changed() {
+            let name = self.document.title();
+            self.dialog = Some(Dialog::Unsaved(Box::new(Unsaved { name, then: action })));
+        } else {
+            go(self);
+        }
+    }
+
+    /// Begins with a template, at once.
+    pub(super) fn begin_with(&mut self, template: &str) {
+        match read_template(template) {
+            Ok(opened) => self.take_opened(opened),
+            Err(error) => self.report(Failure::Scene, &error),
+        }
+    }
+
+    /// Opens a scene, or adds a model or picture, by the ending of its name.
+    pub(super) fn open_file(&mut self, path: PathBuf) {
+        let extension = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
+        let wake = self.wake.clone();
+        match extension.as_str() {
+            "obj" => self.add_file(path, Addend::Model),
+            "png" | "jpg" | "jpeg" => self.add_file(path, Addend::PictureForSelection),
+            _ => self.scenes.opening = Some(Task::spawn(wake, move || read_scene(&path))),
+        }
+    }
+
+    /// Takes a file that a person has chosen.
+    pub(super) fn take_chosen(&mut self, purpose: Purpose, path: PathBuf) {
+        match purpose {
+            Purpose::OpenScene => self.actions.push(Action::OpenFile(path)),
+            Purpose::SaveScene => self.save_to(with_ending(path)),
+            Purpose::LoadModel => self.add_file(path, Addend::Model),
+            Purpose::LoadTexture => self.add_file(path, Addend::PictureForDialog),
+            Purpose::SavePicture => {
+                if let Some(dialog) = &mut self.dialog {
+                    dialog.take_path(&path, &self.document);
+                }
+            }
+        }
+    }
+
+    fn add_file(&mut self, path: PathBuf, addend: Addend) {
+        let folder = self.scene_folder();
+        let task = Task::spawn(self.wake.clone(), move || match addend {
+            Addend::Model => read_model(&path, folder.as_deref()),
+            Addend::PictureForDialog | Addend::PictureForSelection => read_picture(&path, folder.as_deref()),
+        });
+        self.scenes.adding = Some((task, addend));
+    }
+
+    /// The folder that the scene's paths count from; None while it has no file.
+    pub(super) fn scene_folder(&self) -> Option<PathBuf> {
+        let folder = self.document.folder();
+        (!folder.as_os_str().is_empty()).then(|| folder.to_owned())
+    }
+
+    /// Saves the scene to its file, or asks for a name.
+    pub(super) fn save(&mut self) {
+        match self.document.path() {
+            Some(path) => self.save_to(path.to_owned()),
+            None => self.ask_where_to_save(),
+        }
+    }
+
+    /// Asks under which name the scene is to be saved.
+    pub(super) fn ask_where_to_save(&mut self) {
+        let name = self.document.title().unwrap_or_else(|| format!("{}.vitrine.toml", tr!("app-untitled")));
+        let folder = self.document.path().and_then(Path::parent).map(Path::to_owned);
+        self.chooser.open(Purpose::SaveScene, folder.as_deref(), &name);
+    }
+
+    pub(super) fn save_to(&mut self, path: PathBuf) {
+        let is_own_file = self.document.path() == Some(path.as_path());
+        let seen = self.scenes.seen.clone().filter(|_| is_own_file);
+        self.write(path, seen);
+    }
+
+    /// Saves the scene over whatever another program has written.
+    pub(super) fn save_over(&mut self, path: PathBuf) {
+        self.write(path, None);
+    }
+
+    fn write(&mut self, path: PathBuf, seen: Option<Seen>) {
+        let scene = self.document.scene().clone();
+        let request = SaveRequest {
+            scene: scene.clone(),
+            assets: self.document.assets().clone(),
+            base: Some(self.document.file().clone()),
+            folder: self.scene_folder(),
+            to: path.clone(),
+            seen,
+        };
+        let task = Task::spawn(self.wake.clone(), move || save(&request));
+        self.scenes.saving = Some(Saving { task, path, scene });
+    }
+
+    /// Saves the scene, then does what waits for that.
+    pub(super) fn save_then(&mut self, action: Action) {
+        self.scenes.after_save = Some(action);
+        self.save();
+    }
+
+    /// Looks which files have been read and written.
+    pub(super) fn look_after_files(&mut self) {
+        self.look_after_opening();
+        self.look_after_saving();
+        self.look_after_adding();
+        if self.scenes.after_save.is_some() && self.scenes.saving.is_none() && !self.chooser.is_open() {
+            // The person has thought better of saving.
+            self.scenes.after_save = None;
+        }
+    }
+
+    fn look_after_opening(&mut self) {
+        let Some(task) = &mut self.scenes.opening else { return };
+        match task.poll() {
+            TaskState::Running => return,
+            TaskState::Done(Ok(opened)) => {
+                if let Some(path) = &opened.path {
+                    self.recent.add(path);
+                }
+                self.keep_recent();
+                self.take_opened(opened);
+            }
+            TaskState::Done(Err(error)) => self.report(Failure::Scene, &error),
+            TaskState::Over => {}
+        }
+        self.scenes.opening = None;
+    }
+
+    /// Shows a scene that has been read.
+    pub(super) fn take_opened(&mut self, opened: Opened) {
+        let Opened { file, assets, notes, path, seen } = opened;
+        self.scenes.seen = seen;
+        let document = match path {
+            Some(path) => Document::opened(file, assets, notes, path),
+            None => Document::untitled(file, assets, PathBuf::new()),
+        };
+        self.show_document(document);
+    }
+
+    /// Puts a document in place of the one that is shown.
+    pub(super) fn show_document(&mut self, document: Document) {
+        self.document = document;
+        self.is_choosing = false;
+        self.dialog = None;
+        self.forget_panels();
+        self.autosave.forget();
+    }
+
+    fn look_after_saving(&mut self) {
+        let Some(saving) = &mut self.scenes.saving else { return };
+        let answer = match saving.task.poll() {
+            TaskState::Running => return,
+            TaskState::Done(answer) => answer,
+            TaskState::Over => {
+                self.scenes.saving = None;
+                return;
+            }
+        };
+        let Some(Saving { path, scene, .. }) = self.scenes.saving.take() else { return };
+        match answer {
+            Ok(saved) => {
+                self.scenes.seen = Some(saved.seen.clone());
+                self.document.take_saved(path.clone(), saved, &scene);
+                self.recent.add(&path);
+                self.keep_recent();
+                self.autosave.forget();
+                self.notices.success(tr!("app-saved", name = self.document.title().unwrap_or_default()));
+                self.actions.extend(self.scenes.after_save.take());
+            }
+            Err(SaveError::ChangedOnDisc { path }) => {
+                let is_unsaved = self.document.is_changed();
+                self.dialog = Some(Dialog::Changed(Changed { path, is_unsaved }));
+            }
+            Err(error) => {
+                self.scenes.after_save = None;
+                let (message, help) = error.words();
+                self.dialog = Some(Dialog::Error(Box::new(ErrorReport::new(Failure::Other, message, help))));
+            }
+        }
+    }
+
+    fn look_after_adding(&mut self) {
+        let Some((task, addend)) = &mut self.scenes.adding else { return };
+        let addend = *addend;
+        let answer = match task.poll() {
+            TaskState::Running => return,
+            TaskState::Done(answer) => Some(answer),
+            TaskState::Over => None,
+        };
+        self.scenes.adding = None;
+        match answer {
+            Some(Ok(asset)) => self.take_asset(asset, addend),
+            Some(Err(error)) => {
+                let failure = if addend == Addend::Model { Failure::Model } else { Failure::Other };
+                self.report(failure, &error);
+            }
+            None => {}
+        }
+    }
+
+    fn take_asset(&mut self, asset: NewAsset, addend: Addend) {
+        let NewAsset { file, assets, notes } = asset;
+        let mesh = assets.meshes.get(Path::new(&file)).cloned();
+        self.document.provide(assets, notes.clone());
+        match (addend, mesh) {
+            (Addend::Model, Some(mesh)) => {
+                let model = LoadedModel { path: file.into(), mesh, remarks: notes };
+                self.is_choosing = false;
+                self.dialog = Some(Dialog::Model(Box::new(ModelDialog::add(model, &self.document))));
+            }
+            (Addend::PictureForDialog, _) if self.dialog.is_some() => {
+                if let Some(dialog) = &mut self.dialog {
+                    dialog.take_path(Path::new(&file), &self.document);
+                }
+            }
+            _ => self.lay_over_selection(&file),
+        }
+    }
+
+    /// Lays a picture over the selected objects.
+    fn lay_over_selection(&mut self, file: &str) {
+        let things: Vec<_> = self.selected_objects();
+        if things.is_empty() {
+            self.notices.info(tr!("app-picture-for-nothing"));
+            return;
+        }
+        if let Some(material) = self.document.covered(&things, file) {
+            self.edit(EditCommand::Paint { things, material: Box::new(material) });
+        }
+    }
+
+    pub(super) fn selected_objects(&self) -> Vec<Thing> {
+        let is_object = |t: &&Thing| t.list() == Some(vitrine::scene::ListName::Object);
+        self.document.selection().things().iter().filter(is_object).cloned().collect()
+    }
+
+    /// Opens the dialog «Model settings» for a model of the scene.
+    pub(super) fn show_model_settings(&mut self, thing: &Thing) {
+        if let Some(dialog) = ModelDialog::edit(thing, &self.document) {
+            self.dialog = Some(Dialog::Model(Box::new(dialog)));
+        }
+    }
+
+    /// Whether a thing is a model.
+    pub(super) fn is_model(&self, thing: &Thing) -> bool {
+        let object = thing.name().and_then(|name| self.document.scene().object(name));
+        thing.list() == Some(vitrine::scene::ListName::Object)
+            && object.is_some_and(|o| matches!(o.shape, Shape::Mesh(_)))
+    }
+
+    /// Tells why a file was not opened. What was open stays.
+    pub(super) fn report(&mut self, failure: Failure, error: &OpenError) {
+        self.dialog = Some(Dialog::Error(Box::new(ErrorReport::of_open(failure, error))));
+    }
+
+    fn keep_recent(&mut self) {
+        if let Err(error) = self.recent.save(&self.places) {
+            self.notices.error(error.to_string());
+        }
+    }
+
+    /// Makes an edit, or says why not.
+    pub(super) fn edit(&mut self, command: EditCommand) {
+        if let Err(error) = self.document.apply(command) {
+            self.notices.error(notices::words(&error.message()));
+        }
+    }
+}
+
+/// Scenes end in `.vitrine.toml`.
+fn with_ending(path: PathBuf) -> PathBuf {
+    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    if name.to_lowercase().ends_with(".toml") { path } else { path.with_file_name(format!("{name}.vitrine.toml")) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn scenes_get_their_ending_unless_they_have_one() {
+        let ending = |name: &str| with_ending(PathBuf::from(name)).display().to_string();
+        assert_eq!(ending("a/ball"), "a/ball.vitrine.toml");
+        assert_eq!(ending("a/ball 1.5"), "a/ball 1.5.vitrine.toml");
+        assert_eq!(ending("a/ball.vitrine.toml"), "a/ball.vitrine.toml");
+        assert_eq!(ending("a/ball.TOML"), "a/ball.TOML");
+    }
+}

@@ -1,0 +1,290 @@
+//! The worker: makes the scene ready and renders, pass by pass, whatever was asked for last.
+
+use super::final_render::FinalImage;
+use super::passes::{Pace, Pass, View, passes};
+use super::picture::{Backdrop, ObjectMap, Picture, Source, shown};
+use super::shared::{FinalTask, LiveTask, Shared, Task};
+use super::{Compile, LiveError, Ready, Request};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+use vitrine::film::Film;
+use vitrine::scene::Settings;
+use vitrine::{RenderJob, RenderOptions, Rendered};
+
+/// The least time between two pictures of one pass.
+const LOOK_EVERY: Duration = Duration::from_millis(100);
+/// Looking at a picture while it grows takes no more than one part in so many of the time.
+const LOOK_SHARE: u32 = 20;
+
+/// The worker.
+pub struct Worker {
+    /// What it shares with the window.
+    pub shared: Arc<Shared>,
+    /// How a scene is made ready.
+    pub compile: Compile,
+    /// Whether it makes a single pass at full size, and nothing finer.
+    pub is_synchronous: bool,
+    /// How fast pictures were lately.
+    pub pace: Pace,
+}
+
+impl Worker {
+    /// Works until the window has gone.
+    pub fn run(mut self) {
+        while let Some(task) = self.shared.wait_for_task() {
+            self.carry_out(task);
+        }
+    }
+
+    /// Does what there is to do, and comes back.
+    pub fn work_off(&mut self) {
+        loop {
+            let task = self.shared.state().take_task();
+            let Some(task) = task else { return };
+            self.carry_out(task);
+        }
+    }
+
+    fn carry_out(&mut self, mut task: Task) {
+        let result = catch_unwind(AssertUnwindSafe(|| match &mut task {
+            Task::Live(task) => self.draw(task),
+            Task::Final(task) => self.finish(task),
+        }));
+        let result = result.unwrap_or_else(|panic| Err(LiveError::of_panic(panic.as_ref())));
+        self.shared.publish(|state| {
+            state.running = None;
+            if let Err(error) = result {
+                state.fail(&task, error);
+            }
+        });
+    }
+
+    /// Makes a scene ready; takes over what it can from the last one.
+    fn ready(&self, request: &Request) -> Result<Arc<Ready>, LiveError> {
+        let earlier = self.shared.state().ready.clone();
+        if let Some(ready) = earlier.clone().filter(|ready| ready.is_of(request)) {
+            return Ok(ready);
+        }
+        let earlier = earlier.as_ref().map(|ready| &ready.compiled);
+        let compiled = (self.compile)(&request.scene, &request.assets, earlier)?;
+        let (scene, assets) = (request.scene.clone(), request.assets.clone());
+        let ready = Arc::new(Ready { scene, assets, compiled });
+        self.shared.state().ready = Some(ready.clone());
+        Ok(ready)
+    }
+
+    /// The passes for a wish, and the picture of the last quick one when it is there already, as it is after a drag.
+    fn passes(&self, task: &LiveTask) -> (Vec<Pass>, Option<Arc<Picture>>) {
+        let request = &*task.request;
+        let (size, is_dragging) = (request.size, request.is_dragging || self.is_synchronous);
+        let shrink = if self.is_synchronous { 1 } else { self.pace.shrink(size) };
+        let all = passes(&View { scene: &request.scene, size, is_dragging, shrink });
+        let shown = self.shared.state().picture.clone();
+        let is_same =
+            |p: &Arc<Picture>| p.generation == request.generation && p.size == size && p.samples > 0;
+        (all, shown.filter(|p| is_same(p) && !is_dragging))
+    }
+
+    /// Draws a live picture, pass by pass.
+    fn draw(&mut self, task: &LiveTask) -> Result<(), LiveError> {
+        let ready = self.ready(&task.request)?;
+        self.shared.state().status.error = None;
+        let (all, last) = self.passes(task);
+        let done = if last.is_some() { all.iter().filter(|pass| pass.is_quick).count() } else { 0 };
+        if last.is_some() {
+            self.map_objects(task, &ready);
+        }
+        let first_after = last.as_ref().map(|p| p.first_picture_after);
+        let mut drawing = Drawing { task, passes: all.len(), first_after, last };
+        let mut so_far: Option<(&Settings, Rendered)> = None;
+        for (index, pass) in all.iter().enumerate().skip(done) {
+            let options = RenderOptions { settings: pass.settings.clone(), region: None };
+            let job = RenderJob::new(&ready.compiled, options)?;
+            let begun = match so_far.take() {
+                Some((earlier, rendered)) if pass.goes_on_from(earlier) => rendered,
+                _ => job.nothing_yet(),
+            };
+            let rendered = self.pass(&job, begun, (index, pass), &mut drawing)?;
+            if !rendered.is_complete || self.shared.is_stale(task) && drawing.last.is_some() {
+                return Ok(());
+            }
+            drawing.publish(&self.shared, (index, pass), &rendered.film);
+            if index == 0 {
+                self.map_objects(task, &ready);
+            }
+            if self.shared.is_stale(task) {
+                return Ok(());
+            }
+            so_far = Some((&pass.settings, rendered));
+        }
+        Ok(())
+    }
+
+    /// Renders one pass and shows it while it grows.
+    fn pass(
+        &mut self,
+        job: &RenderJob,
+        begun: Rendered,
+        pass: (usize, &Pass),
+        drawing: &mut Drawing,
+    ) -> Result<Rendered, LiveError> {
+        let task = drawing.task;
+        let (before, start) = (begun.film.samples(), Instant::now());
+        let mut looks = Looks::new();
+        let shared = &self.shared;
+        let rendered = job.resume(begun, task.request.threads, &task.cancel, &mut |glance| {
+            if shared.is_stale(task) {
+                task.cancel.cancel();
+                return;
+            }
+            let progress = glance.progress();
+            let is_over = progress.samples_done == progress.samples_total;
+            drawing.note(shared, pass.0, progress);
+            // Before there is anything to stand behind it, a part of a picture would only flicker.
+            if !is_over && drawing.last.is_some() {
+                looks.look(|| drawing.publish(shared, pass, &glance.film()));
+            }
+        })?;
+        if pass.1.is_quick {
+            self.pace.learn(rendered.film.samples() - before, start.elapsed());
+        }
+        Ok(rendered)
+    }
+
+    /// Works out which object is seen where; coarser during a drag.
+    fn map_objects(&self, task: &LiveTask, ready: &Ready) {
+        let request = &*task.request;
+        let size = request.size.map(|v| if request.is_dragging { v.div_ceil(2) } else { v });
+        let objects = ready.compiled.object_map(size, request.threads);
+        let (generation, scene) = (request.generation, ready.scene.clone());
+        let map = Arc::new(ObjectMap { generation, size, objects, scene });
+        self.shared.publish(|state| state.objects = Some(map));
+    }
+
+    /// Renders the final picture, or what is left of it.
+    fn finish(&self, task: &mut FinalTask) -> Result<(), LiveError> {
+        let ready = match task.ready.take() {
+            Some(ready) => ready,
+            None => self.ready(&task.request)?,
+        };
+        let options = RenderOptions { settings: task.request.scene.settings.clone(), region: None };
+        let job = RenderJob::new(&ready.compiled, options)?;
+        let begun = task.so_far.take().unwrap_or_else(|| job.nothing_yet());
+        let mut looks = Looks::new();
+        let task = &*task;
+        let rendered = job.resume(begun, task.threads, &task.cancel, &mut |glance| {
+            let progress = glance.progress();
+            self.for_final(task, |last| last.note(progress));
+            if progress.samples_done < progress.samples_total && !task.cancel.is_cancelled() {
+                looks.look(|| self.show_final(task, glance.film(), false));
+            }
+        })?;
+        self.show_final(task, rendered.film.clone(), rendered.is_complete);
+        self.for_final(task, |last| {
+            last.note_ready(ready.clone());
+            last.keep(rendered);
+        });
+        Ok(())
+    }
+
+    /// Changes the final render, unless another one has been begun meanwhile.
+    fn for_final(&self, task: &FinalTask, change: impl FnOnce(&mut super::final_render::FinalRender)) {
+        self.shared.publish(|state| {
+            if state.last.number == task.number {
+                change(&mut state.last);
+            }
+        });
+    }
+
+    fn show_final(&self, task: &FinalTask, film: Film, is_complete: bool) {
+        let scene = task.request.scene.clone();
+        let before = task.before.as_ref().map(|p| Backdrop { size: p.size, rgba: &p.rgba });
+        let rgba = shown(&film, before);
+        let picture = Picture {
+            generation: task.request.generation,
+            source: Source::Final,
+            size: scene.settings.size,
+            rgba,
+            pass: 1,
+            passes: 1,
+            samples: fewest_samples(&film),
+            is_final: is_complete,
+            elapsed: Duration::ZERO,
+            first_picture_after: Duration::ZERO,
+        };
+        let image = Arc::new(FinalImage { film, is_complete, scene });
+        self.for_final(task, |last| {
+            let elapsed = last.clock.elapsed();
+            let first = last.picture.as_ref().map_or(elapsed, |p| p.first_picture_after);
+            last.picture = Some(Arc::new(Picture { elapsed, first_picture_after: first, ..picture }));
+            last.image = Some(image);
+        });
+    }
+}
+
+/// A live picture that is being drawn.
+struct Drawing<'a> {
+    task: &'a LiveTask,
+    passes: usize,
+    first_after: Option<Duration>,
+    /// What has been shown of it.
+    last: Option<Arc<Picture>>,
+}
+
+impl Drawing<'_> {
+    /// Shows a picture.
+    fn publish(&mut self, shared: &Shared, (index, pass): (usize, &Pass), film: &Film) {
+        let elapsed = self.task.start.elapsed();
+        let first_picture_after = *self.first_after.get_or_insert(elapsed);
+        let before = self.last.as_ref().map(|p| Backdrop { size: p.size, rgba: &p.rgba });
+        let samples = fewest_samples(film);
+        let picture = Arc::new(Picture {
+            generation: self.task.request.generation,
+            source: Source::Live,
+            size: pass.settings.size,
+            rgba: shown(film, before),
+            pass: index as u32 + 1,
+            passes: self.passes as u32,
+            samples,
+            is_final: index + 1 == self.passes && samples == pass.settings.samples,
+            elapsed,
+            first_picture_after,
+        });
+        self.last = Some(picture.clone());
+        shared.publish(|state| state.picture = Some(picture));
+        shared.has_shown();
+    }
+
+    /// Notes how far it is.
+    fn note(&self, shared: &Shared, index: usize, progress: vitrine::Progress) {
+        let mut state = shared.state();
+        state.status.samples_done = progress.samples_done;
+        state.status.samples_total = progress.samples_total;
+        (state.status.pass, state.status.passes) = (index as u32 + 1, self.passes as u32);
+        state.status.elapsed = self.task.start.elapsed();
+    }
+}
+
+/// When to look at a picture that grows: not too often, and less often when looking takes long.
+struct Looks {
+    next: Instant,
+}
+
+impl Looks {
+    fn new() -> Self {
+        Self { next: Instant::now() + LOOK_EVERY }
+    }
+
+    fn look(&mut self, look: impl FnOnce()) {
+        let start = Instant::now();
+        if start >= self.next {
+            look();
+            self.next = Instant::now() + LOOK_EVERY.max(start.elapsed() * LOOK_SHARE);
+        }
+    }
+}
+
+fn fewest_samples(film: &Film) -> u32 {
+    film.tile_samples().iter().min().copied().unwrap_or(0)
+}
