@@ -36,7 +36,7 @@ dialog-add-center = Центр
 dialog-add-material-choice = Из чего
     .tooltip = Новый материал, один из материалов сцены или собственный материал модели
 dialog-add-material-new = Новый материал
-dialog-add-material-own = Собственный материал модели
+dialog-add-material-own = Как в файле
 dialog-add-material-none = Светло-серый
 dialog-add-material-shared = { $count ->
         [one] Из него сделан ещё { $count } предмет — он тоже изменится

@@ -159,6 +159,3 @@ fn one_step(commands: Vec<EditCommand>, thing: Option<Thing>, actions: &mut Acti
         actions.push(Action::Select(vec![thing]));
     }
 }
-
-#[cfg(test)]
-mod tests;

@@ -40,7 +40,7 @@ pub(super) fn show(ctx: &Context, around: &Around<'_>, actions: &mut Actions) ->
     let width = theme::of(ctx).sizes.dialog_width * 1.35;
     let verdict = frame::show(ctx, Shell { id: "problems", title: &title, width }, |ui| {
         if around.problems.is_empty() {
-            empty_hint(ui, icons::CHECK, &tr!("dialog-problems-none"));
+            empty_hint(ui, &tr!("dialog-problems-none"));
         }
         for (i, line) in around.problems.iter().enumerate() {
             if i > 0 {

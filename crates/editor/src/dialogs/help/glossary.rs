@@ -4,7 +4,7 @@ use super::terms::{Words, search};
 use crate::dialogs::Outcome;
 use crate::dialogs::frame::{self, Buttons, Shell, Verdict};
 use crate::text::{Language, language, tr};
-use crate::theme::{self, icons};
+use crate::theme;
 use crate::widgets::{empty_hint, search_field};
 use eframe::egui::{Context, Label, RichText, ScrollArea, Ui};
 
@@ -35,7 +35,7 @@ impl GlossaryDialog {
         area.auto_shrink([false, false]).show(ui, |ui| {
             if found.is_empty() {
                 let text = tr!("help-glossary-nothing", text = self.search.trim());
-                empty_hint(ui, icons::GLOSSARY, &text);
+                empty_hint(ui, &text);
             }
             for words in &found {
                 pair(ui, words);

@@ -51,7 +51,7 @@ pub fn list_ui(ui: &mut Ui, document: &Document, state: &mut ListState, actions:
         |ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
             if rows.is_empty() {
-                empty_hint(ui, icons::SEARCH, &tr!("list-nothing-found"));
+                empty_hint(ui, &tr!("list-nothing-found"));
             }
             for row in &rows {
                 row_ui(ui, document, row, &rows, (state, actions));

@@ -1,32 +1,40 @@
-//! Each dialog as a story, by the names that a screen reader says, in both languages.
+//! Each dialog as a story, by the names that a screen reader says, in both languages; and all of them looked over: nothing
+//! is clipped, everything is named.
 
-use super::*;
-use crate::action::Action;
-use crate::document::Addition;
-use crate::text::{Language, param_label, set_language, tr};
-use crate::theme;
+mod support;
+
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Key, Ui, vec2};
+use eframe::egui::{ColorImage, Key, Modifiers, Ui, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use std::path::Path;
+use std::sync::Arc;
 use vitrine::math::Vec3;
-use vitrine::scene::{Light, LightSource, Object, ParamSpec, Shape, Value, lights, shapes};
+use vitrine::scene::{
+    Light, LightSource, Material, Object, ParamSpec, Settings, Severity, Shape, TriangleMesh, Value, lights, shapes,
+};
+use vitrine_editor::action::{Action, Actions, Screen};
+use vitrine_editor::dialogs::*;
+use vitrine_editor::document::{Addition, Document, EditCommand, Thing};
+use vitrine_editor::files::Config;
+use vitrine_editor::text::{Language, param_label, set_language, tr};
+use vitrine_editor::theme;
 
 /// A window with a dialog in it.
-pub(super) struct World {
-    pub language: Language,
-    pub document: Document,
-    pub config: Config,
-    pub problems: Vec<ProblemLine>,
-    pub current: Option<CurrentPicture>,
-    pub open: Option<Dialog>,
-    pub actions: Actions,
-    pub replies: Vec<Reply>,
+struct World {
+    language: Language,
+    document: Document,
+    config: Config,
+    problems: Vec<ProblemLine>,
+    current: Option<CurrentPicture>,
+    open: Option<Dialog>,
+    actions: Actions,
+    replies: Vec<Reply>,
     is_dressed: bool,
 }
 
 impl World {
-    pub fn new(language: Language) -> Self {
+    fn new(language: Language) -> Self {
         set_language(language);
         Self {
             language,
@@ -41,7 +49,7 @@ impl World {
         }
     }
 
-    pub fn draw(&mut self, ui: &mut Ui) {
+    fn draw(&mut self, ui: &mut Ui) {
         set_language(self.language);
         if !std::mem::replace(&mut self.is_dressed, true) {
             theme::apply(ui, &self.config);
@@ -59,11 +67,16 @@ impl World {
     }
 }
 
-pub(super) fn harness(world: World) -> Harness<'static, World> {
-    let builder = Harness::builder().with_size(vec2(1280.0, 800.0));
+fn harness(world: World) -> Harness<'static, World> {
+    let builder = Harness::builder().with_size(vec2(1280.0, 800.0)).with_max_steps(30).renderer(support::CpuRenderer::default());
     let mut harness = builder.build_ui_state(|ui, world: &mut World| world.draw(ui), world);
-    harness.run();
+    settle(&mut harness);
     harness
+}
+
+/// Lets the window come to rest. A preview that arrives meanwhile asks for another frame.
+fn settle(harness: &mut Harness<'_, World>) {
+    assert!(harness.run_ok().is_some(), "the window does not come to rest");
 }
 
 /// Types into the field of that name in place of what it held.
@@ -76,17 +89,17 @@ fn type_into(harness: &mut Harness<'_, World>, name: &str, text: &str) {
     };
     let at = field(harness);
     harness.query_all_by_label(name).nth(at).unwrap().focus();
-    harness.run();
-    harness.key_combination_modifiers(eframe::egui::Modifiers::COMMAND, &[Key::A]);
-    harness.run();
+    settle(harness);
+    harness.key_combination_modifiers(Modifiers::COMMAND, &[Key::A]);
+    settle(harness);
     let at = field(harness);
     harness.query_all_by_label(name).nth(at).unwrap().type_text(text);
-    harness.run();
+    settle(harness);
 }
 
 fn press(harness: &mut Harness<'_, World>, name: &str) {
     harness.get_by_role_and_label(Role::Button, name).click();
-    harness.run();
+    settle(harness);
 }
 
 fn both(test: impl Fn(Language)) {
@@ -139,7 +152,7 @@ fn c8_a_disc_lamp_with_typed_values_is_added_by_enter() {
         let mut harness = harness(world);
         type_into(&mut harness, &label("disc", lights::Disc::SPECS, "radius"), "1,5");
         harness.key_press(Key::Enter);
-        harness.run();
+        settle(&mut harness);
         let disc = lights::Disc { radius: 1.5, ..lights::Disc::default() };
         let lights = vec![Light { source: LightSource::Disc(disc), ..light }];
         let addition = Addition { lights, ..Addition::default() };
@@ -166,7 +179,7 @@ fn esc_and_cancel_change_nothing() {
             type_into(&mut harness, &label("sphere", shapes::Sphere::SPECS, "radius"), "3");
             if by_key {
                 harness.key_press(Key::Escape);
-                harness.run();
+                settle(&mut harness);
             } else {
                 press(&mut harness, &tr!("dialog-cancel"));
             }
@@ -196,7 +209,7 @@ fn c4_a_triangle_with_its_points_on_a_line_is_not_accepted() {
         let mut harness = add_object(language, Object { shape, ..sphere() });
         harness.get_by_label(&tr!("dialog-add-fault-line"));
         harness.key_press(Key::Enter);
-        harness.run();
+        settle(&mut harness);
         assert!(harness.state().open.is_some());
         assert_eq!(harness.state().actions, []);
     });
@@ -217,9 +230,9 @@ fn c10_c16_depth_and_threads_are_set_and_the_language_changes_at_once() {
         world.open = dialog;
         let mut harness = harness(world);
         harness.get_by_role_and_label(Role::ComboBox, &tr!("dialog-settings-threads")).click();
-        harness.run();
+        settle(&mut harness);
         harness.get_by_role_and_label(Role::Button, "1").click();
-        harness.run();
+        settle(&mut harness);
         type_into(&mut harness, &tr!("dialog-settings-depth"), "7");
         press(&mut harness, &tr!("dialog-ok"));
         let config = Config { threads: 1, language, ..Config::default() };
@@ -245,9 +258,9 @@ fn settings_are_taken_back_by_cancel() {
         world.open = dialog;
         let mut harness = harness(world);
         harness.get_by_label(&tr!("dialog-settings-large-text")).click();
-        harness.run();
+        settle(&mut harness);
         harness.key_press(Key::Escape);
-        harness.run();
+        settle(&mut harness);
         let before = Config { language, ..Config::default() };
         let changed = Config { large_text: true, ..before.clone() };
         let wanted = [changed, before].map(|c| Action::Configure(Box::new(c)));
@@ -288,7 +301,7 @@ fn unsaved_changes_have_three_ways_out() {
                 Some(name) => press(&mut harness, &tr!(name)),
                 None => {
                     harness.key_press(Key::Enter);
-                    harness.run();
+                    settle(&mut harness);
                 }
             }
             assert!(harness.state().open.is_none());
@@ -308,7 +321,7 @@ fn a_problem_is_mended_by_its_button_and_a_click_selects_its_thing() {
         let mut world = World::new(language);
         let command = EditCommand::SetAbout("mended".into());
         world.problems = vec![ProblemLine {
-            severity: vitrine::scene::Severity::Warning,
+            severity: Severity::Warning,
             text: "The camera is inside Ball".into(),
             help: String::new(),
             thing: Some(Thing::object("Ball")),
@@ -351,7 +364,135 @@ fn an_error_shows_line_and_help_and_copies_itself() {
         harness.get_by_label("Did you mean `radius`?");
         harness.get_by_label(&tr!("dialog-error-line", line = 12));
         harness.get_by_role_and_label(Role::Button, &tr!("dialog-copy")).click();
-        harness.run();
+        settle(&mut harness);
         harness.get_by_label(&tr!("dialog-copied"));
     });
+}
+
+/// A tetrahedron.
+fn loaded_model() -> LoadedModel {
+    let positions = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [1.0, 0.0, 2.0], [1.0, 2.0, 0.7]].map(Vec3::from_array);
+    let triangles = vec![[0, 1, 2], [0, 3, 1], [1, 3, 2], [2, 3, 0]];
+    let mesh = TriangleMesh { positions: positions.to_vec(), triangles, ..TriangleMesh::default() };
+    let remarks = vec!["12 faces have no normal, theirs were computed: models/roof.obj".to_owned()];
+    LoadedModel { path: "models/roof.obj".into(), mesh: Arc::new(mesh), remarks }
+}
+
+fn thing(world: &World, addition: &Addition) -> Dialog {
+    Dialog::Thing(Box::new(ThingDialog::add(addition, &world.document).unwrap()))
+}
+
+fn object(shape: Shape) -> Addition {
+    let material = Material { name: "Red".into(), ..Material::default() };
+    let object = Object { shape, material: Some("Red".into()), name: "Ball".into(), ..Object::default() };
+    Addition { objects: vec![object], materials: vec![material], ..Addition::default() }
+}
+
+fn light(source: LightSource) -> Addition {
+    let light = Light { source, name: "Lamp".into(), ..Light::default() };
+    Addition { lights: vec![light], ..Addition::default() }
+}
+
+fn report() -> ErrorReport {
+    let help = "did you mean `radius`?";
+    let mut report = ErrorReport::new(Failure::Scene, "unknown key `raduis`", help);
+    report.path = Some("/home/anna/scenes/ball.vitrine.toml".into());
+    let (text, mark) = ("raduis = 2.0   # from the centre to the surface".to_owned(), 0..6);
+    report.lines = vec![BadLine { number: 12, text, mark, message: String::new(), help: String::new() }];
+    report
+}
+
+fn problems() -> Vec<ProblemLine> {
+    let line = |severity, text: &str, help: &str| ProblemLine {
+        severity,
+        text: text.into(),
+        help: help.into(),
+        thing: Some(Thing::object("Ball")),
+        mend: Some(Mend { text: "…".into(), command: EditCommand::SetAbout("…".into()) }),
+    };
+    vec![
+        line(Severity::Error, "Нет материала «стекло» / There is no material “glass”", "Did you mean “glass 2”?"),
+        line(Severity::Warning, "The camera is inside Ball", "Move the camera out, unless the view from inside is meant"),
+    ]
+}
+
+/// Every dialog, with a word for its picture.
+fn all_dialogs(world: &World) -> Vec<(&'static str, Dialog)> {
+    let around = Around {
+        document: &world.document,
+        config: &world.config,
+        problems: &[],
+        samples_per_second: None,
+        current: None,
+    };
+    let screen = |screen| Dialog::of_screen(screen, &around).unwrap();
+    let settings = Settings::default();
+    let save = SaveDialog::new(Path::new("ball.png"), &settings, None);
+    let current = Some(CurrentPicture { size: [960, 720], samples: 24 });
+    let save_current = SaveDialog::new(Path::new("ball.png"), &settings, current);
+    let unsaved = Unsaved { name: Some("display-case".into()), then: Action::Quit };
+    let picture = ColorImage::filled([160, 120], theme::Theme::of_config(&world.config).accent);
+    let recovery = Recovery::new("x".into(), "display-case".into(), "3 min".into(), Some(picture));
+    let changed = Changed { path: "display-case.vitrine.toml".into(), is_unsaved: true };
+    vec![
+        ("sphere", thing(world, &object(Shape::Sphere(shapes::Sphere::default())))),
+        ("box", thing(world, &object(Shape::Box(shapes::Cuboid::default())))),
+        ("plane", thing(world, &object(Shape::Plane(shapes::Plane::default())))),
+        ("triangle", thing(world, &object(Shape::Triangle(shapes::Triangle::default())))),
+        ("ambient", thing(world, &light(LightSource::Ambient(lights::Ambient::default())))),
+        ("point", thing(world, &light(LightSource::Point(lights::Point::default())))),
+        ("directional", thing(world, &light(LightSource::Directional(lights::Directional::default())))),
+        ("disc", thing(world, &light(LightSource::Disc(lights::Disc::default())))),
+        ("model", Dialog::Model(Box::new(ModelDialog::add(loaded_model(), &world.document)))),
+        ("save", Dialog::SavePicture(Box::new(save))),
+        ("save-current", Dialog::SavePicture(Box::new(save_current))),
+        ("settings", screen(Screen::Settings)),
+        ("unsaved", Dialog::Unsaved(Box::new(unsaved))),
+        ("recover", Dialog::Recover(Box::new(recovery))),
+        ("changed", Dialog::Changed(changed)),
+        ("error", Dialog::Error(Box::new(report()))),
+        ("problems", Dialog::Problems),
+        ("shortcuts", Dialog::Shortcuts),
+        ("glossary", screen(Screen::Glossary)),
+        ("about", Dialog::About),
+    ]
+}
+
+/// Looks at every dialog in a language and a size of text. The pictures lie in target/tmp.
+fn look_over(language: Language, large_text: bool) {
+    let count = all_dialogs(&World::new(language)).len();
+    for i in 0..count {
+        let mut world = World::new(language);
+        world.config.large_text = large_text;
+        let (name, dialog) = all_dialogs(&world).swap_remove(i);
+        world.problems = problems();
+        world.current = (name == "save-current").then_some(CurrentPicture { size: [960, 720], samples: 24 });
+        world.open = Some(dialog);
+        let mut harness = harness(world);
+        let size = if large_text { "-large" } else { "" };
+        let name = format!("dialog-{name}-{}{size}", language.tag());
+        if std::env::var_os("VITRINE_PICTURES").is_some() {
+            // Previews are made on threads of their own.
+            std::thread::sleep(std::time::Duration::from_millis(500));
+            settle(&mut harness);
+            support::picture(&mut harness, &name);
+        }
+        assert_eq!(support::labels_clipped(&harness), [""; 0], "{name}");
+        assert_eq!(support::controls_without_name_or_tooltip(&harness), [""; 0], "{name}");
+    }
+}
+
+#[test]
+fn nothing_is_clipped_and_everything_is_named_in_english() {
+    look_over(Language::English, false);
+}
+
+#[test]
+fn nothing_is_clipped_and_everything_is_named_in_russian() {
+    look_over(Language::Russian, false);
+}
+
+#[test]
+fn nothing_is_clipped_and_everything_is_named_with_large_text() {
+    look_over(Language::Russian, true);
 }
