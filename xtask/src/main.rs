@@ -7,7 +7,9 @@
 mod check;
 mod docs;
 mod generated;
+mod lathe;
 mod layers;
+mod library_textures;
 mod links;
 mod models;
 mod textures;
@@ -24,7 +26,7 @@ cargo xtask layers   the crates' dependencies against the picture in ARCHITECTUR
 cargo xtask docs     makes docs/scene-file.md and docs/vitrine.schema.json; with --check only compares, and
                      looks for links to files that are not there
 cargo xtask models   makes the models of the example scenes; with --check only compares
-cargo xtask textures makes the pictures on the example scenes' things; with --check only compares
+cargo xtask textures makes the pictures of the example scenes and the library; with --check only compares
 ";
 
 fn main() -> ExitCode {

@@ -2,6 +2,7 @@
 //! a build; a test sees that they are what this program makes.
 
 use crate::generated::Generated;
+use crate::lathe;
 use std::f64::consts::TAU;
 
 /// Every such file.
@@ -9,6 +10,11 @@ pub fn files() -> Vec<Generated> {
     vec![
         Generated { path: "scenes/coursework/models/cone-160.obj", text: cone_obj(80) },
         Generated { path: "scenes/coursework/models/cone-162.obj", text: cone_obj(81) },
+        Generated { path: "scenes/models/bottle.obj", text: lathe::obj(&lathe::BOTTLE) },
+        Generated { path: "scenes/models/cone.obj", text: cone_obj(80) },
+        Generated { path: "scenes/models/foot.obj", text: lathe::obj(&lathe::FOOT) },
+        Generated { path: "scenes/models/goblet.obj", text: lathe::obj(&lathe::GOBLET) },
+        Generated { path: "scenes/models/vase.obj", text: lathe::obj(&lathe::VASE) },
     ]
 }
 
@@ -54,7 +60,7 @@ fn cone_obj(sides: u32) -> String {
 }
 
 /// A number with six places at the most.
-fn number(v: f64) -> String {
+pub fn number(v: f64) -> String {
     // Adding 0 turns −0 into 0.
     let text = format!("{:.6}", (v * 1e6).round() / 1e6 + 0.0);
     text.trim_end_matches('0').trim_end_matches('.').to_owned()

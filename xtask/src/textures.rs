@@ -1,6 +1,7 @@
-//! The pictures on the things of the example scenes: a globe for a ball, a leaded window for a triangle. Made from hashes of
-//! whole numbers and `libm` alone, so they are the same bytes on every machine.
+//! The pictures on the things of the example scenes and of the material library. Made from hashes of whole numbers
+//! and `libm` alone, so they are the same bytes on every machine.
 
+use crate::library_textures::{brick, marble, paper, wood};
 use crate::root;
 use std::fs;
 use std::path::Path;
@@ -8,22 +9,29 @@ use vitrine::film::Image;
 use vitrine::formats::{WriteOptions, encode, image_format};
 use vitrine::math::{Rgb, Vec2, Vec3, hash};
 
-const FOLDER: &str = "scenes/coursework/textures";
-
 /// Makes a picture.
 type Maker = fn() -> Image;
 
-const TEXTURES: &[(&str, Maker)] = &[("globe.png", globe), ("leaded-window.png", leaded_window)];
+const TEXTURES: &[(&str, Maker)] = &[
+    ("scenes/coursework/textures/globe.png", globe),
+    ("scenes/coursework/textures/leaded-window.png", leaded_window),
+    ("scenes/textures/vitrine-wood.png", wood),
+    ("scenes/textures/vitrine-marble.png", marble),
+    ("scenes/textures/vitrine-brick.png", brick),
+    ("scenes/textures/vitrine-paper.png", paper),
+];
 
 /// Writes every picture.
 ///
 /// # Errors
 /// The first that cannot be written.
 pub fn write() -> Result<(), String> {
-    fs::create_dir_all(root().join(FOLDER)).map_err(|e| format!("cannot make {FOLDER}: {e}"))?;
-    for (name, make) in TEXTURES {
-        let path = format!("{FOLDER}/{name}");
-        fs::write(root().join(&path), bytes(name, &make())?)
+    for (path, make) in TEXTURES {
+        let whole = root().join(path);
+        let folder = whole.parent().unwrap_or(root());
+        fs::create_dir_all(folder)
+            .map_err(|e| e.to_string())
+            .and_then(|()| fs::write(&whole, bytes(path, &make())?).map_err(|e| e.to_string()))
             .map_err(|e| format!("cannot write {path}: {e}"))?;
         println!("wrote {path}");
     }
@@ -35,9 +43,8 @@ pub fn write() -> Result<(), String> {
 /// # Errors
 /// The first that differs or is missing.
 pub fn check() -> Result<(), String> {
-    for (name, make) in TEXTURES {
-        let path = format!("{FOLDER}/{name}");
-        if fs::read(root().join(&path)).ok() != Some(bytes(name, &make())?) {
+    for (path, make) in TEXTURES {
+        if fs::read(root().join(path)).ok() != Some(bytes(path, &make())?) {
             return Err(format!("run `cargo xtask textures`: it would write otherwise {path}"));
         }
     }
@@ -50,7 +57,8 @@ fn bytes(name: &str, image: &Image) -> Result<Vec<u8>, String> {
     encode(format, image, &WriteOptions::default()).map_err(|e| e.to_string())
 }
 
-fn paint(size: [u32; 2], color: impl Fn(Vec2) -> Rgb) -> Image {
+/// A picture from the colour at each point.
+pub fn paint(size: [u32; 2], color: impl Fn(Vec2) -> Rgb) -> Image {
     let mut image = Image::filled(size, Rgb::BLACK);
     for (i, pixel) in image.pixels.iter_mut().enumerate() {
         let (x, y) = (i as u32 % size[0], i as u32 / size[0]);
@@ -61,12 +69,13 @@ fn paint(size: [u32; 2], color: impl Fn(Vec2) -> Rgb) -> Image {
     image
 }
 
-fn srgb(hex: u32) -> Rgb {
+/// A colour from its six hexadecimal digits.
+pub fn srgb(hex: u32) -> Rgb {
     Rgb::from_srgb8([(hex >> 16) as u8, (hex >> 8) as u8, hex as u8])
 }
 
 /// From 0 at `from` to 1 at `to`, smooth at both ends.
-fn ramp(from: f32, to: f32, v: f32) -> f32 {
+pub fn ramp(from: f32, to: f32, v: f32) -> f32 {
     let t = ((v - from) / (to - from)).clamp(0.0, 1.0);
     t * t * (3.0 - 2.0 * t)
 }

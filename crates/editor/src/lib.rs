@@ -8,6 +8,7 @@ pub mod dialogs;
 pub mod doctor;
 pub mod document;
 pub mod files;
+pub mod library;
 pub mod live;
 pub mod panels;
 pub mod shortcuts;

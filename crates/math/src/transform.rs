@@ -171,7 +171,8 @@ mod tests {
 
     #[test]
     fn angles_are_found_again_from_the_rotation() {
-        for turn in [Vec3::new(10.0, 35.0, -20.0), Vec3::new(-170.0, 80.0, 3.0), Vec3::new(40.0, 90.0, 30.0)] {
+        for turn in [Vec3::new(10.0, 35.0, -20.0), Vec3::new(-170.0, 80.0, 3.0), Vec3::new(40.0, 90.0, 30.0)]
+        {
             let r = rotation_from_turn(turn);
             let again = rotation_from_turn(turn_from_rotation(r));
             assert!(again.abs_diff_eq(r, 2e-6), "{turn}: {again} instead of {r}");

@@ -1,4 +1,5 @@
-//! Scenes to begin with, carried inside the program: the experiments of the course work and an empty ground.
+//! Scenes to begin with, carried inside the program: an empty floor, scenes behind glass, the experiments of the
+//! course work.
 //!
 //! A new template is a scene file under `scenes/` and one line in [`TEMPLATES`].
 
@@ -30,6 +31,18 @@ macro_rules! template {
 /// The register of templates: the folder under `scenes/`, the name, the files that the scene needs.
 pub const TEMPLATES: &[Template] = &[
     template!("", "empty"),
+    template!("", "display-case", "models/vase.obj", "models/goblet.obj", "textures/vitrine-wood.png"),
+    template!(
+        "",
+        "shop-window",
+        "models/vase.obj",
+        "textures/vitrine-brick.png",
+        "textures/vitrine-wood.png"
+    ),
+    template!("", "aquarium", "textures/vitrine-wood.png"),
+    template!("", "glass-ball"),
+    template!("", "snow-globe", "models/cone.obj", "models/foot.obj", "textures/vitrine-wood.png"),
+    template!("", "bottle-still-life", "models/bottle.obj", "models/goblet.obj", "textures/vitrine-marble.png"),
     template!("coursework/", "benchmark", "models/cone-160.obj", "models/cone-162.obj"),
     template!("coursework/", "transparent-sphere", "models/cone-160.obj"),
     template!("coursework/", "two-mirror-spheres"),

@@ -1,1 +1,39 @@
-## Opening, saving and recovering.
+## Открытие, сохранение и восстановление.
+
+files-missing = Нет такого файла: { $path }
+    .help = Проверьте имя и папку.
+files-not-a-file = Это не файл: { $path }
+    .help = Выберите файл.
+files-unreadable = Файл не читается ({ $cause }): { $path }
+    .help = Проверьте, есть ли право на чтение.
+files-too-large = Файл больше { $limit } МБ: { $path }
+    .help = Возьмите файл поменьше или упростите его.
+files-not-text = Файл не является текстом UTF-8: { $path }
+    .help = Сохраните его в UTF-8 в текстовом редакторе, если это текст.
+files-unknown-extension = Неизвестный тип файла: { $path }
+    .help = Известны { $supported }.
+files-model = Модель не читается, { $reason }: { $path }
+files-model-line = Строка { $line }: { $reason }: { $path }
+files-not-a-picture = Это не картинка PNG или JPEG: { $path }
+    .help = Сохраните картинку в PNG или JPEG.
+files-picture-cut-off = Картинка обрывается: { $path }
+    .help = Скопируйте или скачайте её ещё раз.
+files-picture-too-large = Картинка слишком велика, { $width } × { $height } пикселей: { $path }
+    .help = Уменьшите её.
+files-picture-damaged = Картинка повреждена, { $reason }: { $path }
+    .help = Откройте её в другой программе и сохраните снова.
+files-encode = Картинка не помещается в файл { $format }: { $reason }
+    .help = Выберите другой формат или меньший размер.
+files-missing-folder = Нет такой папки: { $path }
+    .help = Сначала создайте папку или выберите другую.
+files-disc-full = На диске нет места для { $path }
+    .help = Освободите место или выберите другой диск.
+files-unwritable = Файл не записывается ({ $cause }): { $path }
+    .help = Проверьте права на запись или выберите другую папку.
+files-empty-path = Файл не назван
+    .help = Выберите файл.
+files-changed-on-disc = Файл изменён другой программой после открытия: { $path }
+    .help = Сохраните под другим именем или перезапишите его.
+files-unsound = Сцену нельзя сохранить в таком виде: { $reason }
+files-untitled = Без названия
+files-picture-name = картинка
