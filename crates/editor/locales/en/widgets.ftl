@@ -6,6 +6,7 @@ unit-pixels = px
 
 widgets-mixed = mixed
 widgets-auto = auto
+widgets-choose = choose…
 widgets-none = none
 widgets-no-number = “{ $text }” is not a number
 widgets-whole-only = Whole numbers only
@@ -27,5 +28,5 @@ widgets-no-color = “{ $text }” is not a colour; write it like #c8281e
 widgets-texture-none = none
 widgets-texture-pattern = New pattern
 widgets-texture-file = Choose a picture file…
-widgets-width = width
-widgets-height = height
+widgets-width = Width
+widgets-height = Height

@@ -23,7 +23,7 @@ kind-texture = Узор
 kind-camera = Камера
 kind-settings = Картинка
 
-choice-renderer-classic = С отражениями и тенями
-choice-renderer-cast = Только бросание лучей
+choice-renderer-classic = Отражения и тени
+choice-renderer-cast = Бросание лучей
 choice-wrap-repeat = Повторять
 choice-wrap-clamp = Крайние цвета

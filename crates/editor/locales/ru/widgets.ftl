@@ -6,6 +6,7 @@ unit-pixels = пикс.
 
 widgets-mixed = разные
 widgets-auto = авто
+widgets-choose = выбрать…
 widgets-none = нет
 widgets-no-number = «{ $text }» — не число
 widgets-whole-only = Только целые числа
@@ -27,5 +28,5 @@ widgets-no-color = «{ $text }» — не цвет; запишите его ка
 widgets-texture-none = нет
 widgets-texture-pattern = Новый узор
 widgets-texture-file = Выбрать файл картинки…
-widgets-width = ширина
-widgets-height = высота
+widgets-width = Ширина
+widgets-height = Высота

@@ -56,6 +56,8 @@ pub struct Theme {
     pub outline: Color32,
     /// A dark seam beside outlines and handles, so that they are seen on any picture.
     pub outline_seam: Color32,
+    /// Knobs of sliders.
+    pub knob: Color32,
     /// Handles that have no axis.
     pub handle: Color32,
     /// Handles under the pointer.
@@ -89,6 +91,8 @@ pub struct Sizes {
     pub control: f32,
     /// Buttons of the toolbar.
     pub tool: f32,
+    /// Knobs of sliders: their radius.
+    pub knob: f32,
     /// Rows of lists.
     pub row: f32,
     /// The toolbar's height.
@@ -150,6 +154,7 @@ impl Sizes {
             icon_tool: 18.0 * k,
             control: 26.0 * k,
             tool: 32.0 * k,
+            knob: 7.0 * k,
             row: 26.0 * k,
             toolbar: 44.0 * k,
             menu_bar: 30.0 * k,
@@ -203,6 +208,7 @@ impl Theme {
         axis_z: rgb(0x7b_aef5),
         outline: rgb(0x6f_e5dd),
         outline_seam: rgba(0x00_0000, 150),
+        knob: rgb(0xd6_d3ce),
         handle: rgb(0xf4_f2ee),
         handle_hover: rgb(0xff_d873),
         veil: rgba(0x0c_0b0b, 150),
@@ -236,6 +242,7 @@ impl Theme {
         axis_z: rgb(0xa3_c9ff),
         outline: rgb(0x7f_fff5),
         outline_seam: rgb(0x00_0000),
+        knob: rgb(0xff_ffff),
         handle: rgb(0xff_ffff),
         handle_hover: rgb(0xff_e14d),
         veil: rgba(0x00_0000, 190),

@@ -55,7 +55,8 @@ pub fn primary_button(ui: &mut Ui, name: &str, tooltip: &str) -> Response {
 pub fn link_button(ui: &mut Ui, name: &str, tooltip: &str) -> Response {
     let theme = theme::of(ui);
     let text = RichText::new(name).color(theme.accent);
-    describe(ui.add(Button::new(text).frame_when_inactive(false)), name, tooltip)
+    let button = Button::new(text).frame(false);
+    describe(ui.add(button), name, tooltip)
 }
 
 /// A switch with its label; the response tells whether `on` has been changed.

@@ -100,6 +100,9 @@ fn hex(ui: &mut Ui, id: Id, field: &Field<'_>, width: f32, value: Rgb) -> Option
     let margin = Margin::symmetric((sizes.gap_s + sizes.gap_xs) as i8, 0);
     let response = ui.add_sized(size, edit.margin(margin).min_size(size).desired_width(width));
     let mut answer = None;
+    if response.gained_focus() {
+        field::select_all(ui, text_id, &text);
+    }
     if response.has_focus() {
         if response.changed() {
             ui.data_mut(|d| d.remove::<String>(id.with("fault")));

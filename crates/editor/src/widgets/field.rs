@@ -2,10 +2,10 @@
 
 use crate::document::Gesture;
 use crate::theme;
-use eframe::egui::text::LayoutJob;
 use crate::tr;
+use eframe::egui::text::{CCursor, CCursorRange, LayoutJob};
 use eframe::egui::{
-    Align, FontId, Id, Label, Layout, Response, RichText, Sense, TextFormat, Ui, vec2,
+    Align, FontId, Id, Label, Layout, Response, RichText, Sense, TextEdit, TextFormat, Ui, UiBuilder, vec2,
 };
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -99,7 +99,8 @@ fn label_job(ui: &Ui, field: &Field<'_>) -> LayoutJob {
     job
 }
 
-/// Draws the label and beside it, or below when the label is long, the control. The control gets its width.
+/// Draws the label and beside it, or below when the label is long, the control. The control gets its width. Beside a narrow
+/// control a long label takes several lines.
 pub(super) fn labelled<R>(
     ui: &mut Ui,
     field: &Field<'_>,
@@ -109,23 +110,41 @@ pub(super) fn labelled<R>(
     let sizes = &theme::of(ui).sizes;
     let text = ui.painter().layout_job(label_job(ui, field));
     let all = ui.available_width();
-    if text.size().x + sizes.gap_m + width > all {
-        return ui
-            .vertical(|ui| {
-                ui.spacing_mut().item_spacing.y = sizes.gap_s;
-                label(ui, field);
-                control(ui, all)
-            })
-            .inner;
+    let room = all - width - sizes.gap_m;
+    if text.size().x > room && width > 0.45 * all {
+        return stacked(ui, field, |ui| control(ui, all));
     }
     ui.allocate_ui_with_layout(vec2(all, sizes.control), Layout::left_to_right(Align::Center), |ui| {
         ui.spacing_mut().item_spacing.x = 0.0;
         ui.set_min_height(sizes.control);
-        label(ui, field);
-        ui.add_space((ui.available_width() - width).max(0.0));
+        let mut column =
+            ui.new_child(UiBuilder::new().max_rect(ui.max_rect().with_max_x(ui.max_rect().left() + room)));
+        label(&mut column, field);
+        let used = column.min_rect();
+        ui.allocate_rect(used.with_max_x(used.left() + room + sizes.gap_m), Sense::hover());
         control(ui, width)
     })
     .inner
+}
+
+/// Draws the label and the control below it.
+pub(super) fn stacked<R>(ui: &mut Ui, field: &Field<'_>, control: impl FnOnce(&mut Ui) -> R) -> R {
+    ui.vertical(|ui| {
+        ui.spacing_mut().item_spacing.y = theme::of(ui).sizes.gap_s;
+        if !field.label.is_empty() {
+            label(ui, field);
+        }
+        control(ui)
+    })
+    .inner
+}
+
+/// Selects all of a line's text, so that typing replaces it.
+pub(super) fn select_all(ui: &Ui, id: Id, text: &str) {
+    let mut state = TextEdit::load_state(ui, id).unwrap_or_default();
+    let range = CCursorRange::two(CCursor::default(), CCursor::new(text.chars().count()));
+    state.cursor.set_char_range(Some(range));
+    state.store(ui, id);
 }
 
 /// Says why what was typed has not been taken, if a control with this id has noted that.

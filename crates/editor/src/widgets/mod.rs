@@ -20,7 +20,7 @@ pub use color::{color_field, swatch};
 pub use field::{Edit, Field, Shown, describe, new_gesture};
 pub use number::{Number, number_field};
 pub use param::{ParamEdit, ParamField, param_ui};
-pub use section::{empty_hint, section};
+pub use section::{empty_hint, section, subsection};
 pub use slider::slider_with_value;
 pub use text_fields::{FileAnswer, file_field, search_field, text_field};
 pub use texture::{TextureAnswer, texture_chooser};

@@ -6,7 +6,6 @@ use super::{describe, new_gesture, number_text};
 use crate::document::Gesture;
 use crate::theme;
 use crate::tr;
-use eframe::egui::text::{CCursor, CCursorRange};
 use eframe::egui::{
     Align, Align2, CursorIcon, FontId, Frame, Id, Key, Margin, Modifiers, Rect, Response, Sense, Stroke,
     StrokeKind, TextEdit, Ui, UiBuilder, WidgetInfo, pos2, vec2,
@@ -117,6 +116,11 @@ pub(super) fn box_width(ui: &Ui) -> f32 {
     theme::of(ui).sizes.control * 3.5
 }
 
+/// How wide it is beside a slider.
+pub(super) fn value_width(ui: &Ui) -> f32 {
+    theme::of(ui).sizes.control * 2.3
+}
+
 pub(super) fn box_id(ui: &Ui, label: &str) -> Id {
     ui.make_persistent_id(("number", label))
 }
@@ -220,7 +224,7 @@ fn type_into(
     let radius = theme.sizes.radius;
     ui.painter().rect_stroke(rect, radius, Stroke::new(theme.sizes.line, border), StrokeKind::Inside);
     if begins {
-        select_all(ui, b.id, &typing.text);
+        field::select_all(ui, b.id, &typing.text);
         ui.data_mut(|d| d.remove::<String>(b.id.with("fault")));
     }
     if response.changed() {
@@ -237,13 +241,6 @@ fn type_into(
 
 fn arrow_step(number: &Number) -> f64 {
     if number.whole { 1.0 } else { number.step * 10.0 }
-}
-
-fn select_all(ui: &Ui, id: Id, text: &str) {
-    let mut state = TextEdit::load_state(ui, id).unwrap_or_default();
-    let range = CCursorRange::two(CCursor::default(), CCursor::new(text.chars().count()));
-    state.cursor.set_char_range(Some(range));
-    state.store(ui, id);
 }
 
 /// Once the focus has gone: Esc brings the old value back, nonsense is explained.

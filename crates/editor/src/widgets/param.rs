@@ -2,6 +2,7 @@
 
 use super::field::{Edit, Field, Shown};
 use super::number::{Number, number_field};
+use super::vector::boxes;
 use super::{choice_field, color_field, slider_with_value, text_field, toggle, vector_field};
 use crate::document::Gesture;
 use crate::text::{choice_name, param_label, param_tooltip};
@@ -59,10 +60,7 @@ pub fn param_ui(ui: &mut Ui, param: ParamField<'_>, scene: &Scene) -> Option<Par
         Value::Pairs(pairs) => pairs_rows(ui, &field, param.spec, pairs),
         Value::Text(text) => words(ui, &field, param.spec, text, scene),
         Value::Nothing => match blank(param.spec.kind) {
-            Some(value) => {
-                let shown = Shown::Derived;
-                return param_ui(ui, ParamField { value: &value, shown, ..param }, scene);
-            }
+            Some(value) => return param_ui(ui, ParamField { value: &value, ..param }, scene),
             None => words(ui, &field, param.spec, "", scene),
         },
     };
@@ -119,7 +117,7 @@ fn usual(spec: &ParamSpec) -> Option<[f64; 2]> {
     }
 }
 
-/// A row of numbers under one label, each with a word of its own.
+/// Numbers in rows of two under one label, each with a word of its own.
 fn numbers(
     ui: &mut Ui,
     field: &Field<'_>,
@@ -127,20 +125,14 @@ fn numbers(
     parts: &[(String, f64)],
 ) -> Option<Edit<Vec<f64>>> {
     let number = Number::of(spec);
-    let mut edit = None;
-    super::field::label(ui, field);
-    for (i, (word, value)) in parts.iter().enumerate() {
-        let name = tr!("widgets-axis-of", name = field.label, axis = word.as_str());
-        let one = Field { label: &name, ..*field };
-        if let Some(e) = number_field(ui, &one, &number, *value) {
-            let mut all: Vec<f64> = parts.iter().map(|(_, v)| *v).collect();
-            edit = Some(e.map(|v| {
-                all[i] = v;
-                all
-            }));
-        }
-    }
-    edit
+    let words: Vec<&str> = parts.iter().map(|(word, _)| word.as_str()).collect();
+    let values: Vec<f64> = parts.iter().map(|(_, value)| *value).collect();
+    let (at, edit) = super::field::stacked(ui, field, |ui| boxes(ui, field, &number, (&words, &values)))?;
+    let mut all = values;
+    Some(edit.map(|v| {
+        all[at] = v;
+        all
+    }))
 }
 
 fn size_row(ui: &mut Ui, field: &Field<'_>, spec: &ParamSpec, [w, h]: [i64; 2]) -> Option<Edit<Value>> {

@@ -4,16 +4,25 @@ use super::describe;
 use crate::theme::{self, icon_font, icons};
 use crate::tr;
 use eframe::egui::collapsing_header::CollapsingState;
-use eframe::egui::{Align2, FontId, Label, RichText, Sense, Ui, WidgetInfo, WidgetType, vec2};
+use eframe::egui::{Align2, FontId, Label, RichText, Sense, Stroke, Ui, WidgetInfo, WidgetType, vec2};
 
 /// A title with its contents, which fold away under it. `open` is how it is first. Gives the contents' answer when they
-/// are seen.
+/// are seen. A line divides it from what stands above.
 pub fn section<R>(ui: &mut Ui, title: &str, open: bool, contents: impl FnOnce(&mut Ui) -> R) -> Option<R> {
+    let theme = theme::of(ui);
+    ui.add_space(theme.sizes.gap_s);
+    let stroke = Stroke::new(theme.sizes.line, theme.separator);
+    ui.painter().hline(ui.max_rect().x_range(), ui.cursor().top(), stroke);
+    ui.add_space(theme.sizes.gap_s);
+    subsection(ui, title, open, contents)
+}
+
+/// The same inside another: without the line.
+pub fn subsection<R>(ui: &mut Ui, title: &str, open: bool, contents: impl FnOnce(&mut Ui) -> R) -> Option<R> {
     let id = ui.make_persistent_id(("section", title));
     let mut state = CollapsingState::load_with_default_open(ui, id, open);
     let theme = theme::of(ui);
     let sizes = &theme.sizes;
-    ui.add_space(sizes.gap_s);
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), sizes.control), Sense::click());
     if response.clicked() {
         state.toggle(ui);
@@ -35,10 +44,7 @@ pub fn section<R>(ui: &mut Ui, title: &str, open: bool, contents: impl FnOnce(&m
     });
     let tooltip = if state.is_open() { tr!("widgets-fold") } else { tr!("widgets-unfold") };
     describe(response, title, &tooltip);
-    let inner = state.show_body_unindented(ui, contents);
-    ui.add_space(sizes.gap_s);
-    ui.separator();
-    inner.map(|i| i.inner)
+    state.show_body_unindented(ui, contents).map(|inner| inner.inner)
 }
 
 /// What a place says that has nothing to show.

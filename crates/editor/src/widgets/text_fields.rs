@@ -15,13 +15,14 @@ struct Typing {
     gesture: Gesture,
 }
 
-/// A label and below it a line of text. The value comes once typing has ended, with Enter or elsewhere; Esc keeps the old.
+/// A label and a line of text. The value comes once typing has ended, with Enter or elsewhere; Esc keeps the old.
 pub fn text_field(ui: &mut Ui, field: &Field<'_>, value: &str) -> Option<Edit<String>> {
-    if !field.label.is_empty() {
-        field::label(ui, field);
+    if field.label.is_empty() {
+        let width = ui.available_width();
+        return line(ui, field, width, value);
     }
-    let width = ui.available_width();
-    line(ui, field, width, value)
+    let width = (ui.available_width() * 0.72).floor();
+    field::labelled(ui, field, width, |ui, width| line(ui, field, width, value))
 }
 
 fn line(ui: &mut Ui, field: &Field<'_>, width: f32, value: &str) -> Option<Edit<String>> {
@@ -32,6 +33,9 @@ fn line(ui: &mut Ui, field: &Field<'_>, width: f32, value: &str) -> Option<Edit<
     let mut typing = kept.filter(|t| t.of == value).unwrap_or_else(fresh);
     let hint = if field.shown == Shown::Mixed { tr!("widgets-mixed") } else { String::new() };
     let response = edit_line(ui, id, width, &mut typing.text, &hint);
+    if response.gained_focus() {
+        field::select_all(ui, id, &typing.text);
+    }
     let mut edit = None;
     if response.has_focus() {
         ui.data_mut(|d| d.insert_temp(id, typing));
@@ -66,8 +70,7 @@ pub enum FileAnswer {
 /// A label and below it a path, with a button that opens the list of files.
 pub fn file_field(ui: &mut Ui, field: &Field<'_>, path: &str) -> Option<FileAnswer> {
     let mut answer = None;
-    field::label(ui, field);
-    ui.horizontal(|ui| {
+    let contents = |ui: &mut Ui| {
         let sizes = &theme::of(ui).sizes;
         let width = ui.available_width() - sizes.control - sizes.gap_s;
         ui.spacing_mut().item_spacing.x = sizes.gap_s;
@@ -76,7 +79,8 @@ pub fn file_field(ui: &mut Ui, field: &Field<'_>, path: &str) -> Option<FileAnsw
         if icon_button(ui, icons::OPEN, &name, &tr!("widgets-choose-file.tooltip"), "").clicked() {
             answer = Some(FileAnswer::Choose);
         }
-    });
+    };
+    field::stacked(ui, field, |ui| ui.horizontal(contents));
     answer
 }
 

@@ -61,7 +61,11 @@ pub fn controls_without_name_or_tooltip<State>(harness: &Harness<'_, State>) -> 
         let name = node.label().unwrap_or_default();
         let description = node.description().unwrap_or_default();
         if name.trim().is_empty() || description.trim().is_empty() {
-            found.push(format!("{:?} named {name:?}, described {description:?}, value {:?}", node.role(), node.value()));
+            found.push(format!(
+                "{:?} named {name:?}, described {description:?}, value {:?}",
+                node.role(),
+                node.value()
+            ));
         }
     }
     found

@@ -53,7 +53,8 @@ impl TestRenderer for CpuRenderer {
             let Some(texture) = self.textures.get(&mesh.texture_id) else { continue };
             canvas.draw(&mesh, texture, clipped.clip_rect * scale, scale);
         }
-        let bytes = canvas.pixels.iter().flatten().map(|v| (v.clamp(0.0, 1.0) * 255.0).round() as u8).collect();
+        let bytes =
+            canvas.pixels.iter().flatten().map(|v| (v.clamp(0.0, 1.0) * 255.0).round() as u8).collect();
         image::RgbaImage::from_raw(width as u32, height as u32, bytes).ok_or_else(|| "no picture".into())
     }
 }
@@ -84,8 +85,11 @@ impl Canvas {
         if !bounds.is_positive() {
             return;
         }
-        for y in bounds.top().floor() as usize..(bounds.bottom().ceil() as usize).min(clip.bottom() as usize) {
-            for x in bounds.left().floor() as usize..(bounds.right().ceil() as usize).min(clip.right() as usize) {
+        for y in bounds.top().floor() as usize..(bounds.bottom().ceil() as usize).min(clip.bottom() as usize)
+        {
+            for x in
+                bounds.left().floor() as usize..(bounds.right().ceil() as usize).min(clip.right() as usize)
+            {
                 let p = Pos2::new(x as f32 + 0.5, y as f32 + 0.5);
                 if !clip.contains(p) {
                     continue;
@@ -93,7 +97,8 @@ impl Canvas {
                 let edges = [(b, c), (c, a), (a, b)];
                 let weights = edges.map(|(from, to)| cross(from, to, p) / area);
                 // A pixel on an edge that two triangles share is drawn once: only left and top edges count.
-                let counts = |i: usize| weights[i] > 0.0 || (weights[i] == 0.0 && is_top_left(edges[i], area));
+                let counts =
+                    |i: usize| weights[i] > 0.0 || (weights[i] == 0.0 && is_top_left(edges[i], area));
                 if (0..3).all(counts) {
                     self.blend(x, y, shade(triangle, weights, texture));
                 }

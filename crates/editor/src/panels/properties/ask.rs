@@ -71,9 +71,12 @@ impl Ask<'_> {
     /// The same for one that may follow from others: `derived` is what follows. Where it is stated, a button takes that back.
     pub fn derived_ui(&mut self, ui: &mut Ui, things: &[Thing], key: &str, derived: Option<Value>) {
         let Some(last) = things.last() else { return };
-        let (Some(spec), Some((value, shown))) = (self.spec(last, key), self.common(things, key)) else { return };
+        let (Some(spec), Some((value, shown))) = (self.spec(last, key), self.common(things, key)) else {
+            return;
+        };
         let is_stated = value != Value::Nothing;
-        let shown = if is_stated || shown == Shown::Mixed { shown } else { Shown::Derived };
+        let follows = derived.is_some() && !is_stated && shown == Shown::Stated;
+        let shown = if follows { Shown::Derived } else { shown };
         let value = if is_stated { value } else { derived.clone().unwrap_or(value) };
         let field = ParamField { spec, kind_word: self.word(last, key), value: &value, shown };
         let top = ui.cursor().min;
@@ -102,7 +105,8 @@ impl Ask<'_> {
         child.spacing_mut().button_padding.x = 0.0;
         let name = tr!("properties-reset", name = label);
         if icon_button(&mut child, icons::UNDO, &name, &tr!("properties-reset.tooltip"), "").clicked() {
-            let command = EditCommand::Set { things: things.to_vec(), key: key.to_owned(), value: Value::Nothing };
+            let command =
+                EditCommand::Set { things: things.to_vec(), key: key.to_owned(), value: Value::Nothing };
             self.edit(command);
         }
     }

@@ -6,8 +6,8 @@ use crate::action::Action;
 use crate::document::{CameraMove, EditCommand, Thing};
 use crate::text::{kind_name, tr};
 use crate::theme::{self, icons};
-use crate::widgets::{Field, Number, Shown, choice_field, describe, number_field, primary_button, section, text_button};
-use eframe::egui::{Button, RichText, Ui, vec2};
+use crate::widgets::{Field, Number, Shown, choice_field, describe, number_field, section, text_button};
+use eframe::egui::{Align, Button, Layout, RichText, Ui, vec2};
 use vitrine::math::{Axis, Vec3};
 use vitrine::scene::{Camera, Range, Scene, Value};
 
@@ -76,18 +76,19 @@ fn turn_ui(ui: &mut Ui, ask: &mut Ask<'_>, state: &mut PropertiesState) {
         ui.spacing_mut().item_spacing.x = sizes.gap_s;
         for (i, (axis, letter)) in [(Axis::X, "X"), (Axis::Y, "Y"), (Axis::Z, "Z")].into_iter().enumerate() {
             let text = RichText::new(letter).color(theme::of(ui).axis(i));
-            let button = Button::selectable(state.turn_axis == axis, text).min_size(vec2(sizes.control, sizes.control));
+            let button = Button::selectable(state.turn_axis == axis, text)
+                .min_size(vec2(sizes.control, sizes.control));
             let name = tr!("properties-axis", axis = letter);
             if describe(ui.add(button), &name, &tr!("properties-axis.tooltip", axis = letter)).clicked() {
                 state.turn_axis = axis;
             }
         }
-        let room = ui.available_width();
-        ui.add_space((room - sizes.control * 5.0).max(0.0));
-        if primary_button(ui, &tr!("properties-turn"), &tr!("properties-turn.tooltip")).clicked() {
-            let (axis, angle_deg) = (state.turn_axis, state.turn_angle_deg);
-            ask.edit(EditCommand::Camera(CameraMove::Turn { axis, angle_deg }));
-        }
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            if text_button(ui, &tr!("properties-turn"), &tr!("properties-turn.tooltip")).clicked() {
+                let (axis, angle_deg) = (state.turn_axis, state.turn_angle_deg);
+                ask.edit(EditCommand::Camera(CameraMove::Turn { axis, angle_deg }));
+            }
+        });
     });
 }
 

@@ -7,7 +7,8 @@ use crate::action::Action;
 use crate::document::{Addition, EditCommand, Paint, Thing};
 use crate::text::{param_label, param_tooltip, tr};
 use crate::widgets::{
-    Field, Shown, TextureAnswer, choice_field, link_button, new_gesture, primary_button, section, texture_chooser,
+    Field, Shown, TextureAnswer, choice_field, link_button, new_gesture, primary_button, subsection,
+    texture_chooser,
 };
 use eframe::egui::Ui;
 use vitrine::scene::{
@@ -104,7 +105,7 @@ pub(super) fn parameters_ui(ui: &mut Ui, ask: &mut Ask<'_>, name: &str) {
         surface_ui(ui, ask, &thing, material);
         rest.into_iter().for_each(|key| ask.derived_ui(ui, &things, key, derived(material, key)));
         let is_first = |key: &str| key == "texture" || FIRST.contains(&key);
-        section(ui, &tr!("properties-more"), false, |ui| {
+        subsection(ui, &tr!("properties-more"), false, |ui| {
             remark_ui(ui, &tr!("properties-more-remark"));
             for spec in Material::SPECS.iter().filter(|s| !is_first(s.name)) {
                 ask.derived_ui(ui, &things, spec.name, derived(material, spec.name));
@@ -157,13 +158,16 @@ fn surface_ui(ui: &mut Ui, ask: &mut Ask<'_>, thing: &Thing, material: &Material
             let name = free_name(ask.scene, ListName::Texture, &tr!("properties-new-pattern-name"));
             let texture = Texture { name: name.clone(), ..Texture::default() };
             let gesture = Some(new_gesture());
-            ask.edit_in(EditCommand::Add(Addition { textures: vec![texture], ..Addition::default() }), gesture);
+            ask.edit_in(
+                EditCommand::Add(Addition { textures: vec![texture], ..Addition::default() }),
+                gesture,
+            );
             ask.edit_in(to(Value::Text(name)), gesture);
         }
         None => {}
     }
     if let Some(name) = current.filter(|n| ask.scene.texture(n).is_some()) {
-        section(ui, &tr!("properties-pattern"), false, |ui| texture_ui(ui, ask, name));
+        subsection(ui, &tr!("properties-pattern"), false, |ui| texture_ui(ui, ask, name));
     }
 }
 

@@ -7,7 +7,8 @@ use crate::document::{EditCommand, Thing};
 use crate::text::{kind_name_in, param_label, param_tooltip, tr};
 use crate::theme::{self, icons};
 use crate::widgets::{
-    Field, FileAnswer, Number, ParamEdit, Shown, choice_field, file_field, icon_toggle, section, text_button, vector_field,
+    Field, FileAnswer, Number, ParamEdit, Shown, choice_field, file_field, icon_toggle, section, subsection,
+    text_button, vector_field,
 };
 use eframe::egui::{Align, Layout, Rect, Ui, UiBuilder, pos2, vec2};
 use vitrine::math::Vec3;
@@ -64,12 +65,15 @@ pub(super) fn kind_ui(ui: &mut Ui, ask: &mut Ask<'_>, thing: &Thing, kinds: &'st
         match spec.kind {
             ParamKind::File => file_ui(ui, ask, thing, spec.name),
             ParamKind::Pairs(_) => {
-                section(ui, &param_label(word, spec), false, |ui| ask.param_ui(ui, &[thing.clone()], spec.name));
+                subsection(ui, &param_label(word, spec), false, |ui| {
+                    ask.param_ui(ui, &[thing.clone()], spec.name)
+                });
             }
             _ => ask.param_ui(ui, &[thing.clone()], spec.name),
         }
     }
-    if word == "mesh" && text_button(ui, &tr!("properties-model"), &tr!("properties-model.tooltip")).clicked() {
+    if word == "mesh" && text_button(ui, &tr!("properties-model"), &tr!("properties-model.tooltip")).clicked()
+    {
         ask.actions.push(Action::ModelSettings(thing.clone()));
     }
 }
@@ -100,7 +104,8 @@ fn place_ui(ui: &mut Ui, ask: &mut Ask<'_>, thing: &Thing, state: &mut Propertie
 
 /// Factors along x, y and z, with a lock that changes them alike.
 fn size_ui(ui: &mut Ui, ask: &mut Ask<'_>, thing: &Thing, state: &mut PropertiesState) {
-    let (Some(spec), Some(Value::Vector(scale))) = (ask.spec(thing, "scale"), ask.value(thing, "scale")) else {
+    let (Some(spec), Some(Value::Vector(scale))) = (ask.spec(thing, "scale"), ask.value(thing, "scale"))
+    else {
         return;
     };
     let sizes = &theme::of(ui).sizes;
@@ -138,7 +143,8 @@ fn alike(before: Vec3, after: Vec3) -> Vec3 {
 /// Several things: what they have in common.
 pub(super) fn several_ui(ui: &mut Ui, ask: &mut Ask<'_>, things: &[Thing]) {
     ui.horizontal(|ui| title_ui(ui, icons::DUPLICATE, &tr!("properties-several", count = things.len())));
-    let in_list = |list: ListName| things.iter().filter(|t| t.list() == Some(list)).cloned().collect::<Vec<_>>();
+    let in_list =
+        |list: ListName| things.iter().filter(|t| t.list() == Some(list)).cloned().collect::<Vec<_>>();
     let (objects, lights) = (in_list(ListName::Object), in_list(ListName::Light));
     let placed: Vec<Thing> = things.iter().filter(|t| ask.value(t, "position").is_some()).cloned().collect();
     if !placed.is_empty() {
@@ -159,7 +165,8 @@ pub(super) fn several_ui(ui: &mut Ui, ask: &mut Ask<'_>, things: &[Thing]) {
 /// The place of the last one; the others move along.
 fn move_ui(ui: &mut Ui, ask: &mut Ask<'_>, things: &[Thing]) {
     let Some(last) = things.last() else { return };
-    let (Some(spec), Some(Value::Vector(position))) = (ask.spec(last, "position"), ask.value(last, "position"))
+    let (Some(spec), Some(Value::Vector(position))) =
+        (ask.spec(last, "position"), ask.value(last, "position"))
     else {
         return;
     };
@@ -183,7 +190,9 @@ fn common_kind_ui(ui: &mut Ui, ask: &mut Ask<'_>, objects: &[Thing]) {
         return;
     }
     let specs = Shape::KINDS.iter().filter(|k| k.name == word).flat_map(|k| k.specs);
-    for spec in specs.filter(|s| !matches!(s.kind, ParamKind::File | ParamKind::Points(_) | ParamKind::Pairs(_))) {
+    for spec in
+        specs.filter(|s| !matches!(s.kind, ParamKind::File | ParamKind::Points(_) | ParamKind::Pairs(_)))
+    {
         ask.param_ui(ui, objects, spec.name);
     }
 }

@@ -5,7 +5,7 @@ use super::{remark_ui, title_ui};
 use crate::document::{EditCommand, Thing};
 use crate::text::tr;
 use crate::theme::icons;
-use crate::widgets::{Field, Shown, section, text_field};
+use crate::widgets::{Field, Shown, section, subsection, text_field};
 use eframe::egui::Ui;
 use vitrine::scene::Settings;
 
@@ -24,7 +24,7 @@ pub(super) fn scene_ui(ui: &mut Ui, ask: &mut Ask<'_>) {
     let things = [Thing::Settings];
     section(ui, &tr!("properties-picture"), true, |ui| {
         FIRST.into_iter().for_each(|key| ask.param_ui(ui, &things, key));
-        section(ui, &tr!("properties-more"), false, |ui| {
+        subsection(ui, &tr!("properties-more"), false, |ui| {
             let rest = Settings::SPECS.iter().filter(|s| !FIRST.contains(&s.name));
             rest.for_each(|spec| ask.param_ui(ui, &things, spec.name));
         });
