@@ -11,11 +11,12 @@ use std::path::Path;
 use std::sync::Arc;
 use vitrine::math::Vec3;
 use vitrine::scene::{
-    Light, LightSource, Material, Object, ParamSpec, Settings, Severity, Shape, TriangleMesh, Value, lights, shapes,
+    Light, LightSource, Material, Object, ParamSpec, Settings, Severity, Shape, TriangleMesh, Value, lights,
+    shapes,
 };
 use vitrine_editor::action::{Action, Actions, Screen};
 use vitrine_editor::dialogs::*;
-use vitrine_editor::document::{Addition, Document, EditCommand, Thing};
+use vitrine_editor::document::{Addition, Document, EditCommand, Paint, Thing};
 use vitrine_editor::files::Config;
 use vitrine_editor::text::{Language, param_label, set_language, tr};
 use vitrine_editor::theme;
@@ -68,7 +69,10 @@ impl World {
 }
 
 fn harness(world: World) -> Harness<'static, World> {
-    let builder = Harness::builder().with_size(vec2(1280.0, 800.0)).with_max_steps(30).renderer(support::CpuRenderer::default());
+    let builder = Harness::builder()
+        .with_size(vec2(1280.0, 800.0))
+        .with_max_steps(30)
+        .renderer(support::CpuRenderer::default());
     let mut harness = builder.build_ui_state(|ui, world: &mut World| world.draw(ui), world);
     settle(&mut harness);
     harness
@@ -369,9 +373,116 @@ fn an_error_shows_line_and_help_and_copies_itself() {
     });
 }
 
+/// Does to the document what was asked for.
+fn carry_out(world: &mut World) {
+    for action in std::mem::take(&mut world.actions) {
+        match action {
+            Action::Edit(command) => world.document.apply(command).unwrap(),
+            Action::Drag(command, gesture) => world.document.drag(command, gesture).unwrap(),
+            Action::Select(things) => world.document.select(things),
+            other => panic!("{other:?}"),
+        }
+    }
+}
+
+#[test]
+fn c14_edit_changes_a_thing_and_its_name_in_one_step_that_can_be_undone() {
+    both(|language| {
+        let mut world = World::new(language);
+        let addition = Addition { objects: vec![sphere()], ..Addition::default() };
+        world.document.apply(EditCommand::Add(addition)).unwrap();
+        let before = world.document.scene().clone();
+        let dialog = ThingDialog::edit(&Thing::object("Ball"), &world.document).unwrap();
+        world.open = Some(Dialog::Thing(Box::new(dialog)));
+        let mut harness = harness(world);
+        type_into(&mut harness, &label("sphere", shapes::Sphere::SPECS, "radius"), "2");
+        type_into(&mut harness, &tr!("dialog-add-name"), "Globe");
+        press(&mut harness, &tr!("dialog-edit-ok"));
+        let world = harness.state_mut();
+        carry_out(world);
+        let globe = world.document.scene().object("Globe").unwrap();
+        assert_eq!(globe.shape, Shape::Sphere(shapes::Sphere { radius: 2.0 }));
+        assert!(world.document.undo());
+        assert_eq!(*world.document.scene(), before, "one step");
+    });
+}
+
+#[test]
+fn the_tour_goes_on_when_a_step_has_really_been_done() {
+    use vitrine_editor::dialogs::tour::{Tour, TourFacts};
+    let mut document = Document::default();
+    let mut tour = Tour::begin(&document);
+    let look = |tour: &mut Tour, document: &Document, is_rendered, is_saved| {
+        tour.look(&TourFacts { document, is_rendered, is_saved });
+        tour.step().map(|s| s.word)
+    };
+    assert_eq!(look(&mut tour, &document, true, true), Some("add"), "later steps wait for the first");
+    document.apply(EditCommand::Add(Addition { objects: vec![sphere()], ..Addition::default() })).unwrap();
+    assert_eq!(look(&mut tour, &document, false, false), Some("paint"));
+    let red = Material {
+        name: "Red glass".into(),
+        color: Some(vitrine::math::Rgb::new(0.8, 0.05, 0.05)),
+        transparency: Some(0.8),
+        ..Material::default()
+    };
+    let blue = Material { color: Some(vitrine::math::Rgb::new(0.05, 0.05, 0.8)), ..red.clone() };
+    let paint = |material| EditCommand::Paint {
+        things: vec![Thing::object("Ball")],
+        material: Box::new(Paint { material, texture: None }),
+    };
+    document.apply(paint(blue)).unwrap();
+    assert_eq!(look(&mut tour, &document, false, false), Some("paint"), "blue glass is not red");
+    document.apply(paint(red)).unwrap();
+    assert_eq!(look(&mut tour, &document, false, false), Some("move"));
+    document.apply(EditCommand::Move { things: vec![Thing::object("Ball")], by: Vec3::X }).unwrap();
+    assert_eq!(look(&mut tour, &document, false, false), Some("render"));
+    assert_eq!(look(&mut tour, &document, true, false), Some("save"));
+    assert_eq!(look(&mut tour, &document, true, true), None);
+}
+
+#[test]
+fn the_card_of_the_tour_is_whole_in_both_languages_and_can_be_closed() {
+    use vitrine_editor::dialogs::tour::{self, Tour, TourFacts};
+    both(|language| {
+        let world = World::new(language);
+        let tour = Some(Tour::begin(&world.document));
+        let builder =
+            Harness::builder().with_size(vec2(1280.0, 800.0)).renderer(support::CpuRenderer::default());
+        let mut is_dressed = false;
+        let draw = move |ui: &mut Ui, (world, tour): &mut (World, Option<Tour>)| {
+            if !std::mem::replace(&mut is_dressed, true) {
+                theme::apply(ui, &world.config);
+                return;
+            }
+            let response = ui.button("Sphere");
+            tour::mark(ui, "add-sphere", response.rect);
+            let facts = TourFacts { document: &world.document, is_rendered: false, is_saved: false };
+            tour_ui(ui, tour, &facts, &world.config, &mut world.actions);
+        };
+        let mut harness = builder.build_ui_state(draw, (world, tour));
+        harness.run();
+        harness.get_by_label(&tr!("tour-add"));
+        if std::env::var_os("VITRINE_PICTURES").is_some() {
+            support::picture(&mut harness, &format!("tour-{}", language.tag()));
+        }
+        assert_eq!(support::labels_clipped(&harness), [""; 0]);
+        for _ in tour::STEPS {
+            harness.get_by_role_and_label(Role::Button, &tr!("tour-skip")).click();
+            harness.run();
+            assert_eq!(support::labels_clipped(&harness), [""; 0]);
+        }
+        harness.get_by_role_and_label(Role::Button, &tr!("tour-finish")).click();
+        harness.run();
+        let config = Config { language, tour_seen: true, ..Config::default() };
+        assert_eq!(harness.state().0.actions, [Action::Configure(Box::new(config))]);
+        assert!(harness.state().1.is_none());
+    });
+}
+
 /// A tetrahedron.
 fn loaded_model() -> LoadedModel {
-    let positions = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [1.0, 0.0, 2.0], [1.0, 2.0, 0.7]].map(Vec3::from_array);
+    let positions =
+        [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [1.0, 0.0, 2.0], [1.0, 2.0, 0.7]].map(Vec3::from_array);
     let triangles = vec![[0, 1, 2], [0, 3, 1], [1, 3, 2], [2, 3, 0]];
     let mesh = TriangleMesh { positions: positions.to_vec(), triangles, ..TriangleMesh::default() };
     let remarks = vec!["12 faces have no normal, theirs were computed: models/roof.obj".to_owned()];
@@ -411,8 +522,16 @@ fn problems() -> Vec<ProblemLine> {
         mend: Some(Mend { text: "…".into(), command: EditCommand::SetAbout("…".into()) }),
     };
     vec![
-        line(Severity::Error, "Нет материала «стекло» / There is no material “glass”", "Did you mean “glass 2”?"),
-        line(Severity::Warning, "The camera is inside Ball", "Move the camera out, unless the view from inside is meant"),
+        line(
+            Severity::Error,
+            "Нет материала «стекло» / There is no material “glass”",
+            "Did you mean “glass 2”?",
+        ),
+        line(
+            Severity::Warning,
+            "The camera is inside Ball",
+            "Move the camera out, unless the view from inside is meant",
+        ),
     ]
 }
 
@@ -458,6 +577,11 @@ fn all_dialogs(world: &World) -> Vec<(&'static str, Dialog)> {
     ]
 }
 
+/// Whether a picture is wanted, for a look by eye: VITRINE_PICTURES is a part of its name.
+fn is_pictured(name: &str) -> bool {
+    std::env::var("VITRINE_PICTURES").is_ok_and(|part| name.contains(&part))
+}
+
 /// Looks at every dialog in a language and a size of text. The pictures lie in target/tmp.
 fn look_over(language: Language, large_text: bool) {
     let count = all_dialogs(&World::new(language)).len();
@@ -471,7 +595,7 @@ fn look_over(language: Language, large_text: bool) {
         let mut harness = harness(world);
         let size = if large_text { "-large" } else { "" };
         let name = format!("dialog-{name}-{}{size}", language.tag());
-        if std::env::var_os("VITRINE_PICTURES").is_some() {
+        if is_pictured(&name) {
             // Previews are made on threads of their own.
             std::thread::sleep(std::time::Duration::from_millis(500));
             settle(&mut harness);
