@@ -107,10 +107,6 @@ dialog-save-format-hdr = Radiance HDR
     .tooltip = The full range of light, in an older format
 dialog-save-samples = Quality (samples)
     .tooltip = Samples for each dot of the picture. More give smoother edges and softer shadows and take longer
-dialog-save-samples-of = { $count ->
-        [one] { $count } sample
-       *[other] { $count } samples
-    }
 dialog-save-renderer = Renderer
     .tooltip = How the picture is computed
 dialog-save-path = File

@@ -109,11 +109,6 @@ dialog-save-format-hdr = Radiance HDR
     .tooltip = Весь диапазон света, более старый формат
 dialog-save-samples = Качество (отсчёты)
     .tooltip = Отсчётов на каждую точку картинки. Чем больше, тем ровнее края и мягче тени и тем дольше ждать
-dialog-save-samples-of = { $count ->
-        [one] { $count } отсчёт
-        [few] { $count } отсчёта
-       *[other] { $count } отсчётов
-    }
 dialog-save-renderer = Рендерер
     .tooltip = Каким способом строится картинка
 dialog-save-path = Файл

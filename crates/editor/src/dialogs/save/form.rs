@@ -85,9 +85,12 @@ fn file(ui: &mut Ui, draft: &mut SaveDraft) -> Option<Reply> {
     let (label, tooltip) = (tr!("dialog-save-path"), tr!("dialog-save-path.tooltip"));
     let field = Field { label: &label, tooltip: &tooltip, shown: Shown::Stated };
     let mut reply = None;
-    // So the button beside the line keeps to its width.
-    ui.spacing_mut().button_padding.x = theme::of(ui).sizes.gap_s;
-    match file_field(ui, &field, &draft.path) {
+    let answer = ui.scope(|ui| {
+        // So the button beside the line keeps to its width.
+        ui.spacing_mut().button_padding.x = theme::of(ui).sizes.gap_s;
+        file_field(ui, &field, &draft.path)
+    });
+    match answer.inner {
         Some(FileAnswer::Path(edit)) => draft.set_path(Path::new(&edit.value)),
         Some(FileAnswer::Choose) => reply = Some(Reply::Browse(Browse::SavePicture(draft.request().path))),
         None => {}
@@ -120,7 +123,7 @@ fn source(ui: &mut Ui, draft: &mut SaveDraft, around: &Around<'_>) {
 fn current(ui: &mut Ui, around: &Around<'_>) {
     let Some(CurrentPicture { size: [width, height], samples }) = around.current else { return };
     frame::fact(ui, &tr!("dialog-save-size"), &format!("{width} × {height}"));
-    frame::fact(ui, &tr!("dialog-save-samples"), &tr!("dialog-save-samples-of", count = samples));
+    frame::fact(ui, &tr!("dialog-save-samples"), &samples.to_string());
 }
 
 fn preset(ui: &mut Ui, draft: &mut SaveDraft, scene_size: [u32; 2]) {
