@@ -51,7 +51,7 @@ fn document() -> Document {
         textures: vec![Texture { name: "tiles".into(), ..Texture::default() }],
         ..Addition::default()
     };
-    document.apply(EditCommand::Add(addition)).unwrap();
+    document.apply(EditCommand::Add(addition)).expect("nothing of it is refused");
     document
 }
 
@@ -195,6 +195,48 @@ fn a_colour_is_typed_as_hexadecimal() {
 }
 
 #[test]
+fn a_colour_is_picked_in_one_step_and_the_picker_is_named() {
+    let mut harness = english(vec![Thing::light("lamp")]);
+    let before = scene(&harness).clone();
+    harness.get_by_label("Colour, picker").click();
+    harness.run();
+    assert_eq!(support::controls_without_name_or_tooltip(&harness), Vec::<String>::new());
+    support::picture(&mut harness, "properties-picker");
+    let square = harness.get_by_label("Shade").rect();
+    harness.drag_at(square.left_top() + square.size() * 0.5);
+    harness.run();
+    harness.hover_at(square.right_top());
+    harness.run();
+    harness.drop_at(square.right_top());
+    harness.run();
+    let color = scene(&harness).lights[0].color.to_srgb8();
+    assert_eq!(color, [255, 0, 0], "the strongest of the first hue");
+    assert!(harness.state_mut().document.undo());
+    assert_eq!(*scene(&harness), before);
+}
+
+#[test]
+fn a_slider_is_dragged_in_one_step_and_moved_by_arrow_keys() {
+    let mut harness = english(vec![Thing::light("lamp")]);
+    let before = scene(&harness).clone();
+    let rail = harness.get_by_label("Brightness, slider").rect();
+    harness.drag_at(rail.center());
+    harness.run();
+    harness.hover_at(rail.right_center());
+    harness.run();
+    harness.drop_at(rail.right_center());
+    harness.run();
+    assert_eq!(scene(&harness).lights[0].intensity, 2.0);
+    assert!(harness.state_mut().document.undo());
+    assert_eq!(*scene(&harness), before);
+    harness.get_by_label("Brightness, slider").focus();
+    harness.run();
+    harness.key_press(Key::ArrowRight);
+    harness.run();
+    assert!(scene(&harness).lights[0].intensity > 0.7);
+}
+
+#[test]
 fn c13_the_camera_is_turned_by_an_angle_about_an_axis() {
     let mut harness = english(vec![Thing::Camera]);
     type_into(&mut harness, "Angle", "30");
@@ -240,6 +282,9 @@ fn selections() -> Vec<(&'static str, Vec<Thing>)> {
 #[test]
 #[ignore = "draws pictures to look at"]
 fn pictures() {
+    let strong = Config { high_contrast: true, large_text: true, ..Config::default() };
+    let mut harness = panel(Language::Russian, &strong, vec![Thing::light("lamp")]);
+    support::picture(&mut harness, "properties-strong");
     for language in Language::ALL {
         for (name, things) in selections() {
             let height = if name == "material" { 1200.0 } else { 698.0 };

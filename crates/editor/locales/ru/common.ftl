@@ -1,1 +1,3 @@
 ## Words used everywhere.
+
+common-cancel = Отмена

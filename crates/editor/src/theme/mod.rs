@@ -1,6 +1,8 @@
 //! How the window looks: one calm dark theme of our own, neutral and a little warm so that it does not tint the judgement
 //! of the picture. All colours, sizes, fonts and icons of the window come from here.
 
+#![allow(clippy::disallowed_methods, reason = "the one place where colours are made")]
+
 mod fonts;
 pub mod icons;
 mod style;

@@ -72,12 +72,24 @@ fn the_theme_in_force_is_the_one_that_was_applied() {
     }
 }
 
-/// Every character of the locales and every icon, in the fonts that the window uses.
+/// Every character of the locales and the icons of kinds, in the fonts that the window uses.
 #[test]
 fn every_character_has_a_glyph() {
     let ctx = Context::default();
     apply(&ctx, &Config::default());
     let mut texts: String = "←→▲▼●✓°×·•…—–«»№".into();
+    texts.push_str(
+        include_str!("icons.rs")
+            .split('"')
+            .skip(1)
+            .step_by(2)
+            .map(icons::of_kind)
+            .collect::<String>()
+            .as_str(),
+    );
+    [icons::UNDO, icons::SAVE, icons::SHOWN, icons::DISC_LAMP, icons::LOCK]
+        .iter()
+        .for_each(|i| texts.push_str(i));
     for language in Language::ALL {
         crate::text::files_of(language).iter().for_each(|(_, text)| texts.push_str(text));
     }

@@ -1,12 +1,12 @@
 //! A colour: a swatch that opens a picker, and its #rrggbb to type.
 
 use super::field::{self, Edit, Field, Shown};
+use super::picker::picker_ui;
 use super::{describe, new_gesture};
 use crate::document::Gesture;
 use crate::theme;
 use crate::tr;
-use eframe::egui::color_picker::{Alpha, color_picker_hsva_2d};
-use eframe::egui::ecolor::Hsva;
+use eframe::egui::ecolor::{Hsva, HsvaGamma};
 use eframe::egui::{
     Align, Color32, Id, Key, Margin, Popup, PopupCloseBehavior, Response, Sense, Stroke, StrokeKind,
     TextEdit, Ui, Vec2, WidgetInfo, WidgetType, vec2,
@@ -60,7 +60,7 @@ fn display(color: Rgb) -> Color32 {
 /// A picker that is being dragged in: the colour as hue, saturation and value, so that greys keep their hue.
 #[derive(Clone, Copy)]
 struct Picking {
-    hsva: Hsva,
+    color: HsvaGamma,
     of: Rgb,
     gesture: Gesture,
 }
@@ -70,15 +70,14 @@ fn picker(id: Id, button: &Response, value: Rgb) -> Option<Edit<Rgb>> {
     let mut edit = None;
     let popup = Popup::menu(button).close_behavior(PopupCloseBehavior::CloseOnClickOutside);
     popup.show(|ui| {
-        ui.spacing_mut().slider_width = theme::of(ui).sizes.control * 8.0;
         let kept: Option<Picking> = ui.data(|d| d.get_temp(id));
-        let fresh = || Picking { hsva: Hsva::from_rgb([r, g, b]), of: value, gesture: new_gesture() };
+        let fresh = || Picking { color: Hsva::from_rgb([r, g, b]).into(), of: value, gesture: new_gesture() };
         let mut picking = kept.filter(|p| p.of == value).unwrap_or_else(fresh);
         if ui.input(|i| i.pointer.any_pressed()) {
             picking.gesture = new_gesture();
         }
-        if color_picker_hsva_2d(ui, &mut picking.hsva, Alpha::Opaque) {
-            let [r, g, b] = picking.hsva.to_rgb();
+        if picker_ui(ui, &mut picking.color) {
+            let [r, g, b] = Hsva::from(picking.color).to_rgb();
             picking.of = Rgb::new(r, g, b);
             let finished = !ui.input(|i| i.pointer.any_down());
             edit = Some(Edit { value: picking.of, gesture: Some(picking.gesture), finished });

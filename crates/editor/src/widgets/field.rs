@@ -111,7 +111,7 @@ pub(super) fn labelled<R>(
     let text = ui.painter().layout_job(label_job(ui, field));
     let all = ui.available_width();
     let room = all - width - sizes.gap_m;
-    if text.size().x > room && width > 0.45 * all {
+    if text.size().x > room && width > 0.5 * all {
         return stacked(ui, field, |ui| control(ui, all));
     }
     ui.allocate_ui_with_layout(vec2(all, sizes.control), Layout::left_to_right(Align::Center), |ui| {

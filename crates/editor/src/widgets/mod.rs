@@ -8,6 +8,7 @@ mod field;
 mod number;
 mod number_text;
 mod param;
+mod picker;
 mod section;
 mod slider;
 mod text_fields;
@@ -25,6 +26,3 @@ pub use slider::slider_with_value;
 pub use text_fields::{FileAnswer, file_field, search_field, text_field};
 pub use texture::{TextureAnswer, texture_chooser};
 pub use vector::vector_field;
-
-#[cfg(test)]
-mod tests;

@@ -25,6 +25,7 @@ pub fn slider_with_value(
         .vertical(|ui| {
             ui.spacing_mut().item_spacing = vec2(sizes.gap_m, 0.0);
             field::label(ui, field);
+            ui.add_space(sizes.gap_xs);
             ui.horizontal(|ui| {
                 let width = value_width(ui);
                 let size = vec2(ui.available_width() - width - sizes.gap_m, sizes.control);

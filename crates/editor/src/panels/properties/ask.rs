@@ -69,7 +69,7 @@ impl Ask<'_> {
     }
 
     /// The same for one that may follow from others: `derived` is what follows. Where it is stated, a button takes that back.
-    pub fn derived_ui(&mut self, ui: &mut Ui, things: &[Thing], key: &str, derived: Option<Value>) {
+    pub fn derived_ui(&mut self, ui: &mut Ui, things: &[Thing], key: &str, derived: Option<&Value>) {
         let Some(last) = things.last() else { return };
         let (Some(spec), Some((value, shown))) = (self.spec(last, key), self.common(things, key)) else {
             return;
@@ -77,7 +77,7 @@ impl Ask<'_> {
         let is_stated = value != Value::Nothing;
         let follows = derived.is_some() && !is_stated && shown == Shown::Stated;
         let shown = if follows { Shown::Derived } else { shown };
-        let value = if is_stated { value } else { derived.clone().unwrap_or(value) };
+        let value = if is_stated { value } else { derived.cloned().unwrap_or(value) };
         let field = ParamField { spec, kind_word: self.word(last, key), value: &value, shown };
         let top = ui.cursor().min;
         let sizes = &theme::of(ui).sizes;

@@ -101,14 +101,14 @@ pub(super) fn parameters_ui(ui: &mut Ui, ask: &mut Ask<'_>, name: &str) {
     let things = [thing.clone()];
     ui.push_id(("material", name), |ui| {
         let [color, rest @ ..] = FIRST;
-        ask.derived_ui(ui, &things, color, derived(material, color));
+        ask.derived_ui(ui, &things, color, derived(material, color).as_ref());
         surface_ui(ui, ask, &thing, material);
-        rest.into_iter().for_each(|key| ask.derived_ui(ui, &things, key, derived(material, key)));
+        rest.into_iter().for_each(|key| ask.derived_ui(ui, &things, key, derived(material, key).as_ref()));
         let is_first = |key: &str| key == "texture" || FIRST.contains(&key);
         subsection(ui, &tr!("properties-more"), false, |ui| {
             remark_ui(ui, &tr!("properties-more-remark"));
             for spec in Material::SPECS.iter().filter(|s| !is_first(s.name)) {
-                ask.derived_ui(ui, &things, spec.name, derived(material, spec.name));
+                ask.derived_ui(ui, &things, spec.name, derived(material, spec.name).as_ref());
             }
         });
     });
@@ -175,8 +175,9 @@ fn surface_ui(ui: &mut Ui, ask: &mut Ask<'_>, thing: &Thing, material: &Material
 pub(super) fn texture_ui(ui: &mut Ui, ask: &mut Ask<'_>, name: &str) {
     let thing = Thing::texture(name);
     kind_ui(ui, ask, &thing, TextureSource::KINDS);
-    ask.param_ui(ui, &[thing.clone()], "repeat");
-    ask.param_ui(ui, &[thing], "shift");
+    let things = [thing];
+    ask.param_ui(ui, &things, "repeat");
+    ask.param_ui(ui, &things, "shift");
 }
 
 #[cfg(test)]

@@ -100,13 +100,13 @@ fn title_ui(ui: &mut Ui, icon: &str, title: &str) {
 
 /// The word of a thing's kind, or of its list when there are no kinds.
 fn kind_word(scene: &Scene, owner: Owner) -> &'static str {
-    use vitrine::scene::Item as _;
+    use vitrine::scene::Item;
     let kind = match owner {
         Owner::Settings => return "settings",
         Owner::Camera => return "camera",
-        Owner::Item(ListName::Object, i) => scene.objects.get(i).and_then(|o| o.kind()),
-        Owner::Item(ListName::Light, i) => scene.lights.get(i).and_then(|l| l.kind()),
-        Owner::Item(ListName::Texture, i) => scene.textures.get(i).and_then(|t| t.kind()),
+        Owner::Item(ListName::Object, i) => scene.objects.get(i).and_then(Item::kind),
+        Owner::Item(ListName::Light, i) => scene.lights.get(i).and_then(Item::kind),
+        Owner::Item(ListName::Texture, i) => scene.textures.get(i).and_then(Item::kind),
         Owner::Item(list, _) => return list.key(),
     };
     kind.map_or("object", |(_, word)| word)

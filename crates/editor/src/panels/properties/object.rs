@@ -11,6 +11,7 @@ use crate::widgets::{
     text_button, vector_field,
 };
 use eframe::egui::{Align, Layout, Rect, Ui, UiBuilder, pos2, vec2};
+use std::slice::from_ref;
 use vitrine::math::Vec3;
 use vitrine::scene::{KindSpec, LightSource, ListName, Object, ParamKind, Shape, Value};
 
@@ -29,15 +30,15 @@ pub(super) fn object_ui(ui: &mut Ui, ask: &mut Ask<'_>, name: &str, state: &mut 
             }
         });
     });
-    section(ui, &tr!("properties-material"), true, |ui| material::material_ui(ui, ask, &[thing.clone()]));
+    section(ui, &tr!("properties-material"), true, |ui| material::material_ui(ui, ask, from_ref(&thing)));
 }
 
 /// A light: kind, brightness, colour, place.
 pub(super) fn light_ui(ui: &mut Ui, ask: &mut Ask<'_>, name: &str) {
     let thing = Thing::light(name);
     section(ui, &tr!("properties-light"), true, |ui| {
-        ask.param_ui(ui, &[thing.clone()], "intensity");
-        ask.param_ui(ui, &[thing.clone()], "color");
+        ask.param_ui(ui, from_ref(&thing), "intensity");
+        ask.param_ui(ui, from_ref(&thing), "color");
         kind_ui(ui, ask, &thing, LightSource::KINDS);
     });
 }
@@ -66,10 +67,10 @@ pub(super) fn kind_ui(ui: &mut Ui, ask: &mut Ask<'_>, thing: &Thing, kinds: &'st
             ParamKind::File => file_ui(ui, ask, thing, spec.name),
             ParamKind::Pairs(_) => {
                 subsection(ui, &param_label(word, spec), false, |ui| {
-                    ask.param_ui(ui, &[thing.clone()], spec.name)
+                    ask.param_ui(ui, from_ref(thing), spec.name);
                 });
             }
-            _ => ask.param_ui(ui, &[thing.clone()], spec.name),
+            _ => ask.param_ui(ui, from_ref(thing), spec.name),
         }
     }
     if word == "mesh" && text_button(ui, &tr!("properties-model"), &tr!("properties-model.tooltip")).clicked()
@@ -84,7 +85,7 @@ fn file_ui(ui: &mut Ui, ask: &mut Ask<'_>, thing: &Thing, key: &str) {
     let (label, tooltip) = (param_label(word, spec), param_tooltip(word, spec));
     let field = Field { label: &label, tooltip: &tooltip, shown: Shown::Stated };
     match file_field(ui, &field, &path) {
-        Some(FileAnswer::Path(edit)) => ask.set(&[thing.clone()], key, edit.map(Value::Text).into()),
+        Some(FileAnswer::Path(edit)) => ask.set(from_ref(thing), key, edit.map(Value::Text).into()),
         Some(FileAnswer::Choose) => {
             ask.actions.push(Action::ChooseFile { thing: thing.clone(), key: key.to_owned() });
         }
@@ -117,7 +118,7 @@ fn size_ui(ui: &mut Ui, ask: &mut Ask<'_>, thing: &Thing, state: &mut Properties
         let value = if state.keep_shape { alike(scale, edit.value) } else { edit.value };
         let edit = ParamEdit { value: Value::Vector(value), gesture: edit.gesture, finished: edit.finished };
         if spec.check(&edit.value).is_ok() {
-            ask.set(std::slice::from_ref(thing), "scale", edit);
+            ask.set(from_ref(thing), "scale", edit);
         }
     }
     let place = Rect::from_min_size(pos2(at.x, at.y), vec2(sizes.control, sizes.control));
