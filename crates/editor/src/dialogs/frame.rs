@@ -80,7 +80,7 @@ struct Keys {
 impl Keys {
     fn pressed(ctx: &Context) -> Self {
         // Enter in a field accepts; Enter on a button presses that button.
-        let has_button_focus = ctx.memory(|m| m.focused()).is_some() && !ctx.text_edit_focused();
+        let has_button_focus = ctx.memory(eframe::egui::Memory::focused).is_some() && !ctx.text_edit_focused();
         let is_popup_open = eframe::egui::Popup::is_any_open(ctx);
         let pressed = |key| ctx.input(|i| i.key_pressed(key) && i.modifiers.is_none());
         Self {
@@ -137,7 +137,7 @@ fn begin_focus(ctx: &Context, id: Id) {
     let [first, latest] = seen.filter(|[_, latest]| pass <= latest + 1).unwrap_or([pass, pass]);
     ctx.data_mut(|d| d.insert_temp(id, [first, pass.max(latest)]));
     if first == pass {
-        if let Some(focused) = ctx.memory(|m| m.focused()) {
+        if let Some(focused) = ctx.memory(eframe::egui::Memory::focused) {
             ctx.memory_mut(|m| m.surrender_focus(focused));
         }
         ctx.request_repaint();
