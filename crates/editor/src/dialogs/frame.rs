@@ -80,7 +80,8 @@ struct Keys {
 impl Keys {
     fn pressed(ctx: &Context) -> Self {
         // Enter in a field accepts; Enter on a button presses that button.
-        let has_button_focus = ctx.memory(eframe::egui::Memory::focused).is_some() && !ctx.text_edit_focused();
+        let has_button_focus =
+            ctx.memory(eframe::egui::Memory::focused).is_some() && !ctx.text_edit_focused();
         let is_popup_open = eframe::egui::Popup::is_any_open(ctx);
         let pressed = |key| ctx.input(|i| i.key_pressed(key) && i.modifiers.is_none());
         Self {
