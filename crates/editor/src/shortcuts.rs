@@ -58,7 +58,7 @@ impl Shortcut {
     /// Its keys for people: "Ctrl+Shift+S".
     #[must_use]
     pub fn keys_text(&self, ctx: &Context) -> String {
-        ctx.format_shortcut(&self.keys)
+        ctx.format_shortcut(&self.keys).replace("Comma", ",")
     }
 }
 

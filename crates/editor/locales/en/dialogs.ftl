@@ -9,10 +9,6 @@ dialog-close = Close
 dialog-copy = Copy
     .tooltip = Copy the text, to send or to search for it
 dialog-copied = Copied
-dialog-browse = Browse…
-    .tooltip = Choose a file or folder
-dialog-yes = Yes
-dialog-no = No
 
 # Add and edit
 dialog-add-title = Add: { $kind }
@@ -25,14 +21,10 @@ dialog-add-name = Name
     .tooltip = What it is called in the list
 dialog-add-name-empty = Give it a name
 dialog-add-name-taken = There is already something with this name
-dialog-add-place = Shape and place
-dialog-add-light = Light
 dialog-add-material = Material
 dialog-add-preview = Preview
     .tooltip = How the scene will look
 dialog-add-preview-none = There is no picture yet
-dialog-add-center = Centre
-    .tooltip = Where its middle is: X to the right, Y up, Z towards you, in metres
 dialog-add-material-choice = Made of
     .tooltip = A new material, one that the scene has, or the model's own
 dialog-add-material-new = New material
@@ -42,9 +34,6 @@ dialog-add-material-shared = { $count ->
         [one] One other thing is made of it and changes as well
        *[other] { $count } other things are made of it and change as well
     }
-dialog-add-texture-none = None
-dialog-add-texture-file = Picture from a file…
-    .tooltip = Choose a PNG or JPEG picture to lay over the surface
 dialog-add-fault-line = The three points lie on one line, so there is no triangle
 
 # Model
@@ -74,8 +63,6 @@ dialog-model-warnings = { $count ->
     }
 dialog-model-hint-huge = Larger than 100 m: are the units right?
 dialog-model-hint-tiny = Smaller than 1 mm: are the units right?
-dialog-model-place = Place and size
-dialog-model-reading = The model is being read
 
 # Save picture
 dialog-save-title = Save picture
@@ -87,7 +74,6 @@ dialog-save-source = Picture
     .tooltip = The picture as it has been computed so far, or a new one
 dialog-save-source-current = As it is now
     .tooltip = The picture as it has been computed so far: { $width } × { $height }, { $passes } passes
-dialog-save-source-current-none = There is none yet: start the render first
 dialog-save-source-render = Render now
     .tooltip = Computes a new picture with the size and quality below
 dialog-save-preset = Common sizes
@@ -119,12 +105,8 @@ dialog-save-format-exr = OpenEXR
     .tooltip = The full range of light, for work on the picture in other programs
 dialog-save-format-hdr = Radiance HDR
     .tooltip = The full range of light, in an older format
-dialog-save-samples = Quality
+dialog-save-samples = Quality (samples)
     .tooltip = Samples for each dot of the picture. More give smoother edges and softer shadows and take longer
-dialog-save-samples-of = { $count ->
-        [one] { $count } sample
-       *[other] { $count } samples
-    }
 dialog-save-renderer = Renderer
     .tooltip = How the picture is computed
 dialog-save-path = File
@@ -147,7 +129,6 @@ dialog-save-time-hours = { $count ->
         [one] about { $count } hour
        *[other] about { $count } hours
     }
-dialog-save-bytes = in memory { $size } MB
 
 # Settings
 dialog-settings-title = Settings
@@ -201,15 +182,12 @@ dialog-error-scene = The scene cannot be opened
 dialog-error-model = The model cannot be read
 dialog-error-picture = The picture cannot be saved
 dialog-error-render = The picture cannot be rendered
-dialog-error-file = File
 dialog-error-line = Line { $line }
 dialog-error-help = What helps
 dialog-error-kept = The open scene stays as it was.
-dialog-error-text = The text of the file
 
 # Problems and picture doctor
 dialog-problems-title = Problems
-dialog-problems-doctor = Picture doctor
 dialog-problems-none = Nothing is wrong with the scene
 dialog-problems-fix = Fix
     .tooltip = Mend this: { $mend }

@@ -40,7 +40,7 @@ shortcut-frame-all = Show everything
 shortcut-move = Move handles
 shortcut-turn = Turn handles
 shortcut-size = Size handles
-shortcut-escape = Select nothing, let go of a drag
+shortcut-escape = Select nothing
 shortcut-start = Start render
 shortcut-stop = Stop render
 shortcut-settings = Settings
@@ -49,7 +49,6 @@ shortcut-help = Keyboard shortcuts
 help-glossary-title = Glossary
 help-glossary-search = Search
     .tooltip = Type a part of a word in either language
-help-glossary-search-hint = Find a term in English or Russian
 help-glossary-nothing = No term contains “{ $text }”
 help-glossary-count = { $count ->
         [one] { $count } term
@@ -70,6 +69,8 @@ help-about-part-images = Picture files
 help-about-part-glam = Vectors and matrices
 
 tour-title = First picture in 60 seconds
+tour-begin = Guided tour
+    .tooltip = First picture in 60 seconds: the window shows how
 tour-step = Step { $step } of { $all }
 tour-skip = Skip
     .tooltip = Go on to the next step

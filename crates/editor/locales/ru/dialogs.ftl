@@ -9,10 +9,6 @@ dialog-close = Закрыть
 dialog-copy = Копировать
     .tooltip = Скопировать текст, чтобы послать его или найти ответ
 dialog-copied = Скопировано
-dialog-browse = Обзор…
-    .tooltip = Выбрать файл или папку
-dialog-yes = Да
-dialog-no = Нет
 
 # Добавить и изменить
 dialog-add-title = Добавить: { $kind }
@@ -25,27 +21,20 @@ dialog-add-name = Имя
     .tooltip = Под этим именем предмет стоит в списке
 dialog-add-name-empty = Дайте имя
 dialog-add-name-taken = Такое имя уже занято
-dialog-add-place = Форма и положение
-dialog-add-light = Свет
 dialog-add-material = Материал
 dialog-add-preview = Предпросмотр
     .tooltip = Как будет выглядеть сцена
 dialog-add-preview-none = Картинки пока нет
-dialog-add-center = Центр
-    .tooltip = Где находится середина: X вправо, Y вверх, Z к вам, в метрах
 dialog-add-material-choice = Из чего
     .tooltip = Новый материал, один из материалов сцены или собственный материал модели
 dialog-add-material-new = Новый материал
-dialog-add-material-own = Собственный материал модели
+dialog-add-material-own = Как в файле
 dialog-add-material-none = Светло-серый
 dialog-add-material-shared = { $count ->
         [one] Из него сделан ещё { $count } предмет — он тоже изменится
         [few] Из него сделаны ещё { $count } предмета — они тоже изменятся
        *[other] Из него сделаны ещё { $count } предметов — они тоже изменятся
     }
-dialog-add-texture-none = Нет
-dialog-add-texture-file = Картинка из файла…
-    .tooltip = Выбрать картинку PNG или JPEG, которая ляжет на поверхность
 dialog-add-fault-line = Три точки лежат на одной прямой, треугольника нет
 
 # Модель
@@ -76,8 +65,6 @@ dialog-model-warnings = { $count ->
     }
 dialog-model-hint-huge = Больше 100 м: верны ли единицы?
 dialog-model-hint-tiny = Меньше 1 мм: верны ли единицы?
-dialog-model-place = Положение и размер
-dialog-model-reading = Модель читается
 
 # Сохранить картинку
 dialog-save-title = Сохранить картинку
@@ -89,7 +76,6 @@ dialog-save-source = Картинка
     .tooltip = Картинка, как она построена до сих пор, или новая
 dialog-save-source-current = Как есть сейчас
     .tooltip = Картинка, как она построена до сих пор: { $width } × { $height }, проходов: { $passes }
-dialog-save-source-current-none = Её ещё нет: сначала начните рендер
 dialog-save-source-render = Построить новую
     .tooltip = Строит новую картинку с размером и качеством, заданными ниже
 dialog-save-preset = Частые размеры
@@ -121,13 +107,8 @@ dialog-save-format-exr = OpenEXR
     .tooltip = Весь диапазон света, для обработки в других программах
 dialog-save-format-hdr = Radiance HDR
     .tooltip = Весь диапазон света, более старый формат
-dialog-save-samples = Качество
+dialog-save-samples = Качество (отсчёты)
     .tooltip = Отсчётов на каждую точку картинки. Чем больше, тем ровнее края и мягче тени и тем дольше ждать
-dialog-save-samples-of = { $count ->
-        [one] { $count } отсчёт
-        [few] { $count } отсчёта
-       *[other] { $count } отсчётов
-    }
 dialog-save-renderer = Рендерер
     .tooltip = Каким способом строится картинка
 dialog-save-path = Файл
@@ -150,7 +131,6 @@ dialog-save-time-hours = { $count ->
         [one] около { $count } часа
        *[other] около { $count } часов
     }
-dialog-save-bytes = в памяти { $size } МБ
 
 # Настройки
 dialog-settings-title = Настройки
@@ -204,15 +184,12 @@ dialog-error-scene = Сцену нельзя открыть
 dialog-error-model = Модель нельзя прочитать
 dialog-error-picture = Картинку нельзя сохранить
 dialog-error-render = Картинку нельзя построить
-dialog-error-file = Файл
 dialog-error-line = Строка { $line }
 dialog-error-help = Что поможет
 dialog-error-kept = Открытая сцена осталась, какой была.
-dialog-error-text = Текст файла
 
 # Проблемы и доктор картинки
 dialog-problems-title = Проблемы
-dialog-problems-doctor = Доктор картинки
 dialog-problems-none = Со сценой всё в порядке
 dialog-problems-fix = Исправить
     .tooltip = Исправить: { $mend }

@@ -40,7 +40,7 @@ shortcut-frame-all = Показать всё
 shortcut-move = Двигать
 shortcut-turn = Поворачивать
 shortcut-size = Менять размер
-shortcut-escape = Снять выделение, бросить перетаскивание
+shortcut-escape = Снять выделение
 shortcut-start = Начать рендер
 shortcut-stop = Остановить рендер
 shortcut-settings = Настройки
@@ -49,7 +49,6 @@ shortcut-help = Сочетания клавиш
 help-glossary-title = Словарь
 help-glossary-search = Поиск
     .tooltip = Введите часть слова на любом из двух языков
-help-glossary-search-hint = Найти термин по-русски или по-английски
 help-glossary-nothing = Нет термина, в котором есть «{ $text }»
 help-glossary-count = { $count ->
         [one] { $count } термин
@@ -71,6 +70,8 @@ help-about-part-images = Файлы картинок
 help-about-part-glam = Векторы и матрицы
 
 tour-title = Первая картинка за 60 секунд
+tour-begin = Знакомство с программой
+    .tooltip = Первая картинка за 60 секунд: окно само покажет как
 tour-step = Шаг { $step } из { $all }
 tour-skip = Пропустить
     .tooltip = Перейти к следующему шагу

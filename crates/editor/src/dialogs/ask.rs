@@ -5,7 +5,9 @@ use super::{Outcome, Reply};
 use crate::action::Action;
 use crate::text::tr;
 use crate::theme;
-use eframe::egui::{Align, ColorImage, Context, Image, Layout, TextureHandle, TextureOptions, Ui, Vec2, vec2};
+use eframe::egui::{
+    Align, ColorImage, Context, Image, Layout, TextureHandle, TextureOptions, Ui, Vec2, vec2,
+};
 use std::fmt;
 use std::path::{Path, PathBuf};
 

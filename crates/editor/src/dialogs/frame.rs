@@ -4,8 +4,8 @@ use crate::text::tr;
 use crate::theme;
 use crate::widgets::{Field, Shown, choice_field, primary_button, text_button};
 use eframe::egui::{
-    Align, Context, FocusDirection, Frame, Id, Key, Label, Layout, Margin, Modal, Modifiers, RichText, ScrollArea,
-    Stroke, Ui, vec2,
+    Align, Context, FocusDirection, Frame, Id, Key, Label, Layout, Margin, Modal, Modifiers, Rect, RichText,
+    ScrollArea, Stroke, Ui, UiBuilder, pos2, vec2,
 };
 
 /// How a dialog looks before anything is in it.
@@ -80,7 +80,8 @@ struct Keys {
 impl Keys {
     fn pressed(ctx: &Context) -> Self {
         // Enter in a field accepts; Enter on a button presses that button.
-        let has_button_focus = ctx.memory(|m| m.focused()).is_some() && !ctx.text_edit_focused();
+        let has_button_focus =
+            ctx.memory(eframe::egui::Memory::focused).is_some() && !ctx.text_edit_focused();
         let is_popup_open = eframe::egui::Popup::is_any_open(ctx);
         let pressed = |key| ctx.input(|i| i.key_pressed(key) && i.modifiers.is_none());
         Self {
@@ -106,7 +107,7 @@ pub(super) fn show(ctx: &Context, shell: Shell<'_>, body: impl FnOnce(&mut Ui) -
         ui.spacing_mut().item_spacing.y = theme.sizes.gap_m;
         let title = RichText::new(shell.title).size(theme.sizes.text_title).color(theme.text_strong);
         ui.add(Label::new(title).wrap().selectable(false));
-        ui.add_space(theme.sizes.gap_s);
+        ui.add_space(theme.sizes.gap_m);
         // Title, buttons and margins take the rest.
         let room = ctx.content_rect().height() - 5.0 * theme.sizes.control - 4.0 * theme.sizes.gap_xl;
         let area = ScrollArea::vertical().id_salt(id).max_height(room).auto_shrink([false, true]);
@@ -137,7 +138,7 @@ fn begin_focus(ctx: &Context, id: Id) {
     let [first, latest] = seen.filter(|[_, latest]| pass <= latest + 1).unwrap_or([pass, pass]);
     ctx.data_mut(|d| d.insert_temp(id, [first, pass.max(latest)]));
     if first == pass {
-        if let Some(focused) = ctx.memory(|m| m.focused()) {
+        if let Some(focused) = ctx.memory(eframe::egui::Memory::focused) {
             ctx.memory_mut(|m| m.surrender_focus(focused));
         }
         ctx.request_repaint();
@@ -214,11 +215,11 @@ pub(super) fn fault(ui: &mut Ui, text: &str) {
 /// A name and a value, in a line.
 pub(super) fn fact(ui: &mut Ui, name: &str, value: &str) {
     let theme = theme::of(ui);
-    ui.horizontal(|ui| {
-        ui.add(Label::new(RichText::new(name).color(theme.text_muted)).selectable(false));
-        let room = vec2(ui.available_width(), theme.sizes.text);
-        ui.allocate_ui_with_layout(room, Layout::right_to_left(Align::Center), |ui| {
-            ui.add(Label::new(RichText::new(value).color(theme.text)).truncate());
+    let room = vec2(ui.available_width(), theme.sizes.text + theme.sizes.gap_m);
+    ui.allocate_ui_with_layout(room, Layout::right_to_left(Align::Center), |ui| {
+        ui.add(Label::new(RichText::new(value).color(theme.text)).truncate());
+        ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+            ui.add(Label::new(RichText::new(name).color(theme.text_muted)).selectable(false));
         });
     });
 }
@@ -226,14 +227,20 @@ pub(super) fn fact(ui: &mut Ui, name: &str, value: &str) {
 /// Two columns of equal width with a gap between them.
 pub(super) fn columns<R>(ui: &mut Ui, contents: impl FnOnce(&mut Ui, &mut Ui) -> R) -> R {
     let sizes = &theme::of(ui).sizes;
-    let spacing = std::mem::replace(&mut ui.spacing_mut().item_spacing.x, sizes.gap_xl);
-    let inner = ui.columns_const(|[left, right]| {
-        for column in [&mut *left, &mut *right] {
-            column.spacing_mut().item_spacing = vec2(sizes.gap_m, sizes.gap_s + sizes.gap_xs);
-        }
-        contents(left, right)
-    });
-    ui.spacing_mut().item_spacing.x = spacing;
+    let room = ui.available_rect_before_wrap();
+    let width = (room.width() - sizes.gap_xl) / 2.0;
+    let column = |ui: &mut Ui, left: f32| {
+        let rect = Rect::from_min_size(pos2(left, room.top()), vec2(width, room.height()));
+        let layout = Layout::top_down(Align::Min);
+        let mut column = ui.new_child(UiBuilder::new().id_salt(left as i32).max_rect(rect).layout(layout));
+        column.set_width(width);
+        column.spacing_mut().item_spacing = vec2(sizes.gap_m, sizes.gap_s + sizes.gap_xs);
+        column
+    };
+    let mut left = column(ui, room.left());
+    let mut right = column(ui, room.left() + width + sizes.gap_xl);
+    let inner = contents(&mut left, &mut right);
+    ui.advance_cursor_after_rect(left.min_rect().union(right.min_rect()));
     inner
 }
 

@@ -23,7 +23,8 @@ pub use problems::{Mend, ProblemLine};
 pub use reply::{Browse, Reply};
 pub use report::{BadLine, ErrorReport, Failure};
 pub use save::{
-    CurrentPicture, PictureFormat, PictureSource, RENDERERS, SaveDialog, SaveDraft, SaveFlaw, SavePictureRequest,
+    CurrentPicture, PictureFormat, PictureSource, RENDERERS, SaveDialog, SaveDraft, SaveFlaw,
+    SavePictureRequest,
 };
 pub use settings::SettingsDialog;
 pub use thing::{FIRST_KEYS, Flaw, MaterialChoice, MaterialDraft, Subject, ThingDialog, ThingDraft};
@@ -158,6 +159,3 @@ fn one_step(commands: Vec<EditCommand>, thing: Option<Thing>, actions: &mut Acti
         actions.push(Action::Select(vec![thing]));
     }
 }
-
-#[cfg(test)]
-mod tests;

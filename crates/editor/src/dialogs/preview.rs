@@ -2,7 +2,9 @@
 
 use crate::text::tr;
 use crate::theme;
-use eframe::egui::{Color32, ColorImage, Image, Rect, Response, Sense, TextureHandle, TextureOptions, Ui, Vec2};
+use eframe::egui::{
+    Color32, ColorImage, Image, Rect, Response, Sense, TextureHandle, TextureOptions, Ui, Vec2,
+};
 use std::fmt;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
@@ -54,9 +56,8 @@ impl Preview {
             }
         }
         let name = tr!("dialog-add-preview");
-        response.widget_info(|| {
-            eframe::egui::WidgetInfo::labeled(eframe::egui::WidgetType::Image, true, &name)
-        });
+        response
+            .widget_info(|| eframe::egui::WidgetInfo::labeled(eframe::egui::WidgetType::Image, true, &name));
         response.on_hover_text(tr!("dialog-add-preview.tooltip"))
     }
 

@@ -8,7 +8,7 @@ use crate::document::{EditCommand, Thing};
 use crate::text::tr;
 use crate::theme::{self, icon_font, icons};
 use crate::widgets::{describe, empty_hint, text_button};
-use eframe::egui::{Align, Button, Context, Layout, RichText, Ui, vec2};
+use eframe::egui::{Align, Button, Context, Label, Layout, RichText, Ui, vec2};
 use vitrine::scene::Severity;
 
 /// One line of the list.
@@ -62,11 +62,14 @@ fn line_ui(ui: &mut Ui, line: &ProblemLine, actions: &mut Actions) {
     ui.horizontal_top(|ui| {
         ui.spacing_mut().item_spacing.x = theme.sizes.gap_m;
         let icon = RichText::new(icon).font(icon_font(theme.sizes.icon)).color(color);
-        describe(ui.label(icon), &name, &name);
+        let room = vec2(theme.sizes.icon, theme.sizes.control);
+        describe(ui.add_sized(room, Label::new(icon).selectable(false)), &name, &name);
         let mend_width = if line.mend.is_some() { theme.sizes.control * 4.5 } else { 0.0 };
         let room = vec2(ui.available_width() - mend_width, 0.0);
         ui.allocate_ui_with_layout(room, Layout::top_down(Align::Min), |ui| {
             ui.set_width(room.x);
+            ui.spacing_mut().button_padding.x = 0.0;
+            ui.spacing_mut().item_spacing.y = 0.0;
             what(ui, line, actions);
         });
         let Some(mend) = &line.mend else { return };

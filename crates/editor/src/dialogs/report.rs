@@ -4,7 +4,7 @@ use super::Outcome;
 use super::frame::{self, Buttons, Caption, Shell, Verdict};
 use crate::files::{FileProblem, OpenError, TextPlace};
 use crate::text::tr;
-use crate::theme;
+use crate::theme::{self, Theme};
 use eframe::egui::text::LayoutJob;
 use eframe::egui::{Context, FontId, Label, ScrollArea, Stroke, TextFormat, TextStyle, Ui};
 use std::ops::Range;
@@ -180,7 +180,7 @@ fn bad_line_ui(ui: &mut Ui, line: &BadLine) {
         frame::hint(ui, &tr!("dialog-error-line", line = line.number));
         if !line.text.is_empty() {
             let font = TextStyle::Monospace.resolve(ui.style());
-            let job = marked(line, font, [theme.text, theme.error_text].map(|c| (c, theme.sizes.line_bold)));
+            let job = marked(line, &font, theme);
             ScrollArea::horizontal().id_salt(("line", line.number)).show(ui, |ui| {
                 ui.add(Label::new(job).extend());
             });
@@ -194,21 +194,18 @@ fn bad_line_ui(ui: &mut Ui, line: &BadLine) {
     });
 }
 
-/// The text with what is meant underlined: the colours and the line's width for the rest and for the mark.
-fn marked(
-    line: &BadLine,
-    font: FontId,
-    [plain, mark]: [(eframe::egui::Color32, f32); 2],
-) -> LayoutJob {
+/// The text with what is meant underlined.
+fn marked(line: &BadLine, font: &FontId, theme: &Theme) -> LayoutJob {
     let text = line.text.as_str();
     let at = |i: usize| text.floor_char_boundary(i.min(text.len()));
     let (start, end) = (at(line.mark.start), at(line.mark.end).max(at(line.mark.start)));
-    let format = |color| TextFormat::simple(font.clone(), color);
+    let plain = TextFormat::simple(font.clone(), theme.text);
+    let underline = Stroke::new(theme.sizes.line_bold, theme.error_text);
+    let mark = TextFormat { underline, ..TextFormat::simple(font.clone(), theme.error_text) };
     let mut job = LayoutJob::default();
-    job.append(&text[..start], 0.0, format(plain.0));
-    let underline = Stroke::new(mark.1, mark.0);
-    job.append(&text[start..end], 0.0, TextFormat { underline, ..format(mark.0) });
-    job.append(&text[end..], 0.0, format(plain.0));
+    job.append(&text[..start], 0.0, plain.clone());
+    job.append(&text[start..end], 0.0, mark);
+    job.append(&text[end..], 0.0, plain);
     job
 }
 

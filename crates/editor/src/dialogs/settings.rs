@@ -87,7 +87,8 @@ impl SettingsDialog {
         ui.add_space(gap);
         frame::heading(ui, &tr!("dialog-settings-window"));
         let languages = Language::ALL.map(|l| (l, l.own_name().to_owned()));
-        if let Some(chosen) = frame::choice(ui, "dialog-settings-language", &self.config.language, &languages) {
+        if let Some(chosen) = frame::choice(ui, "dialog-settings-language", &self.config.language, &languages)
+        {
             self.config.language = chosen;
         }
         let key = "dialog-settings-large-text";

@@ -31,7 +31,11 @@ pub struct Step {
 /// The steps, in order.
 pub const STEPS: [Step; 5] = [
     Step { word: "add", anchor: "add-sphere", is_done: |before, now| balls(scene(now)) > balls(before) },
-    Step { word: "paint", anchor: "materials", is_done: |_, now| scene(now).objects.iter().any(is_red_glass(now)) },
+    Step {
+        word: "paint",
+        anchor: "materials",
+        is_done: |_, now| scene(now).objects.iter().any(is_red_glass(now)),
+    },
     Step { word: "move", anchor: "picture", is_done: has_moved },
     Step { word: "render", anchor: "start-render", is_done: |_, now| now.is_rendered },
     Step { word: "save", anchor: "save-picture", is_done: |_, now| now.is_saved },

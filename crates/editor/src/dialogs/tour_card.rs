@@ -8,7 +8,8 @@ use crate::text::tr;
 use crate::theme;
 use crate::widgets::{primary_button, text_button};
 use eframe::egui::{
-    Align, Area, Context, Frame, Id, Layout, Margin, Order, Pos2, Rect, Stroke, StrokeKind, Ui, Vec2, pos2, vec2,
+    Align, Area, Context, Frame, Id, Layout, Margin, Order, Pos2, Rect, Stroke, StrokeKind, Ui, Vec2, pos2,
+    vec2,
 };
 
 /// Draws the card, if the tour goes on, and a frame around the control that it speaks of. Draw it last.
@@ -81,7 +82,8 @@ fn card(ui: &mut Ui, tour: &Tour) -> Option<Wish> {
     frame::paragraph(ui, &text);
     progress(ui, tour);
     let mut wish = None;
-    let button = |ui: &mut Ui, key: &str| text_button(ui, &tr!(key), &tr!(&format!("{key}.tooltip"))).clicked();
+    let button =
+        |ui: &mut Ui, key: &str| text_button(ui, &tr!(key), &tr!(&format!("{key}.tooltip"))).clicked();
     let room = vec2(ui.available_width(), sizes.control);
     ui.allocate_ui_with_layout(room, Layout::right_to_left(Align::Center), |ui| {
         if is_done {
@@ -107,8 +109,7 @@ fn card(ui: &mut Ui, tour: &Tour) -> Option<Wish> {
 fn progress(ui: &mut Ui, tour: &Tour) {
     let theme = theme::of(ui);
     let height = theme.sizes.gap_s;
-    let (rect, _) =
-        ui.allocate_exact_size(vec2(ui.available_width(), height), eframe::egui::Sense::hover());
+    let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), height), eframe::egui::Sense::hover());
     let gap = theme.sizes.gap_s;
     let width = (rect.width() + gap) / STEPS.len() as f32 - gap;
     for i in 0..STEPS.len() {
@@ -123,8 +124,10 @@ fn progress(ui: &mut Ui, tour: &Tour) {
 /// the least of it.
 fn place(room: Rect, target: Option<Rect>, size: Vec2, gap: f32) -> Pos2 {
     let Some(target) = target else { return room.right_bottom() - size };
-    let along_x = (target.center().x - size.x / 2.0).clamp(room.left(), (room.right() - size.x).max(room.left()));
-    let along_y = (target.center().y - size.y / 2.0).clamp(room.top(), (room.bottom() - size.y).max(room.top()));
+    let along_x =
+        (target.center().x - size.x / 2.0).clamp(room.left(), (room.right() - size.x).max(room.left()));
+    let along_y =
+        (target.center().y - size.y / 2.0).clamp(room.top(), (room.bottom() - size.y).max(room.top()));
     let below = pos2(along_x, target.bottom() + gap);
     let above = pos2(along_x, target.top() - gap - size.y);
     let right = pos2(target.right() + gap, along_y);

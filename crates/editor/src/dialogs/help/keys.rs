@@ -1,7 +1,7 @@
 //! All keys, and what the mouse does in the picture.
 
-use crate::dialogs::Outcome;
-use crate::dialogs::frame::{self, Buttons, Shell, Verdict};
+use crate::dialogs::frame::{self, Buttons, Caption, Shell, Verdict};
+use crate::dialogs::{Outcome, Reply};
 use crate::shortcuts::{SHORTCUTS, Section};
 use crate::text::tr;
 use crate::theme;
@@ -21,9 +21,13 @@ pub(in crate::dialogs) fn shortcuts(ctx: &Context) -> Outcome {
             section(right, Section::View);
             mouse(right);
         });
-        Buttons::close()
+        Buttons { other: Some(Caption::of("tour-begin")), ..Buttons::close() }
     });
-    if verdict == Verdict::Open { Outcome::Stay(None) } else { Outcome::Close(None) }
+    match verdict {
+        Verdict::Open => Outcome::Stay(None),
+        Verdict::Other => Outcome::Close(Some(Reply::BeginTour)),
+        Verdict::Accept | Verdict::Cancel => Outcome::Close(None),
+    }
 }
 
 fn section(ui: &mut Ui, section: Section) {

@@ -8,7 +8,9 @@ use crate::document::{Addition, EditCommand, Thing};
 use std::path::PathBuf;
 use std::sync::Arc;
 use vitrine::math::{Bounds3, Rgb, Transform, Vec3};
-use vitrine::scene::{Camera, Light, LightSource, Object, Params, Scene, Shape, TriangleMesh, Value, lights, shapes};
+use vitrine::scene::{
+    Camera, Light, LightSource, Object, Params, Scene, Shape, TriangleMesh, Value, lights, shapes,
+};
 
 /// What the numbers in a model's file mean.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -296,7 +298,8 @@ impl ModelDraft {
         };
         replace(&mut shown.objects, floor, None);
         let eye = Vec3::new(0.55, 0.45, 1.0).normalize() * radius * 2.9;
-        shown.camera = Camera { position: eye, look_at: Some(Vec3::ZERO), view_angle_deg: 42.0, turn_deg: None };
+        shown.camera =
+            Camera { position: eye, look_at: Some(Vec3::ZERO), view_angle_deg: 42.0, turn_deg: None };
         let lamp = lights::Disc { position: Vec3::new(1.0, 2.2, 1.6) * radius * 1.6, radius: radius * 0.4 };
         let air = Light {
             name: "air".into(),
@@ -304,8 +307,7 @@ impl ModelDraft {
             intensity: 0.3,
             ..Light::default()
         };
-        let lamp =
-            Light { name: "lamp".into(), source: LightSource::Disc(lamp), ..Light::default() };
+        let lamp = Light { name: "lamp".into(), source: LightSource::Disc(lamp), ..Light::default() };
         shown.lights = vec![air, lamp];
         shown
     }

@@ -4,11 +4,9 @@ use super::draft::{CurrentPicture, PictureFormat, PictureSource, RENDERERS, Save
 use crate::dialogs::frame::{self, Buttons, Shell, Verdict};
 use crate::dialogs::{Around, Browse, Outcome, Reply};
 use crate::text::tr;
-use crate::theme::{self, icons};
-use crate::widgets::{
-    Field, FileAnswer, Number, Shown, file_field, icon_toggle, number_field,
-};
-use eframe::egui::{Align, Context, Layout, Ui, vec2};
+use crate::theme;
+use crate::widgets::{Field, FileAnswer, Number, Shown, file_field, number_field, toggle};
+use eframe::egui::{Context, Ui};
 use std::path::Path;
 use std::time::Duration;
 use vitrine::scene::{Range, Settings};
@@ -50,23 +48,23 @@ impl SaveDialog {
             reply = file(ui, &mut self.draft);
             source(ui, &mut self.draft, around);
             match self.draft.source {
-                PictureSource::RenderNow => self.new_picture(ui, around),
+                PictureSource::RenderNow => self.new_picture(ui),
                 PictureSource::Current => current(ui, around),
             }
+            let time = time_text(self.draft.time(around.samples_per_second));
+            frame::fact(ui, &tr!("dialog-save-time"), &time);
             let is_new = self.draft.source == PictureSource::RenderNow;
             let key = if is_new { "dialog-save-render-ok" } else { "dialog-save-ok" };
             Buttons::accept(key, self.draft.flaw().is_none())
         });
         match verdict {
-            Verdict::Accept => {
-                Outcome::Close(Some(Reply::SavePicture(Box::new(self.draft.request()))))
-            }
+            Verdict::Accept => Outcome::Close(Some(Reply::SavePicture(Box::new(self.draft.request())))),
             Verdict::Cancel => Outcome::Close(None),
             Verdict::Open | Verdict::Other => Outcome::Stay(reply),
         }
     }
 
-    fn new_picture(&mut self, ui: &mut Ui, around: &Around<'_>) {
+    fn new_picture(&mut self, ui: &mut Ui) {
         let draft = &mut self.draft;
         preset(ui, draft, self.scene_size);
         size(ui, draft);
@@ -76,12 +74,10 @@ impl SaveDialog {
         }
         quality(ui, draft);
         let renderers = RENDERERS.map(|(renderer, key)| (renderer, tr!(key)));
-        if let Some(chosen) = frame::choice(ui, "dialog-save-renderer", &draft.settings.renderer, &renderers) {
+        if let Some(chosen) = frame::choice(ui, "dialog-save-renderer", &draft.settings.renderer, &renderers)
+        {
             draft.settings.renderer = chosen;
         }
-        ui.add_space(theme::of(ui).sizes.gap_xs);
-        let time = time_text(draft.time(around.samples_per_second));
-        frame::fact(ui, &tr!("dialog-save-time"), &time);
     }
 }
 
@@ -89,7 +85,12 @@ fn file(ui: &mut Ui, draft: &mut SaveDraft) -> Option<Reply> {
     let (label, tooltip) = (tr!("dialog-save-path"), tr!("dialog-save-path.tooltip"));
     let field = Field { label: &label, tooltip: &tooltip, shown: Shown::Stated };
     let mut reply = None;
-    match file_field(ui, &field, &draft.path) {
+    let answer = ui.scope(|ui| {
+        // So the button beside the line keeps to its width.
+        ui.spacing_mut().button_padding.x = theme::of(ui).sizes.gap_s;
+        file_field(ui, &field, &draft.path)
+    });
+    match answer.inner {
         Some(FileAnswer::Path(edit)) => draft.set_path(Path::new(&edit.value)),
         Some(FileAnswer::Choose) => reply = Some(Reply::Browse(Browse::SavePicture(draft.request().path))),
         None => {}
@@ -122,7 +123,7 @@ fn source(ui: &mut Ui, draft: &mut SaveDraft, around: &Around<'_>) {
 fn current(ui: &mut Ui, around: &Around<'_>) {
     let Some(CurrentPicture { size: [width, height], samples }) = around.current else { return };
     frame::fact(ui, &tr!("dialog-save-size"), &format!("{width} × {height}"));
-    frame::fact(ui, &tr!("dialog-save-samples"), &tr!("dialog-save-samples-of", count = samples));
+    frame::fact(ui, &tr!("dialog-save-samples"), &samples.to_string());
 }
 
 fn preset(ui: &mut Ui, draft: &mut SaveDraft, scene_size: [u32; 2]) {
@@ -138,30 +139,21 @@ fn preset(ui: &mut Ui, draft: &mut SaveDraft, scene_size: [u32; 2]) {
     }
 }
 
-/// Width and height, and the lock that ties them.
+/// Width and height, and the switch that ties them.
 fn size(ui: &mut Ui, draft: &mut SaveDraft) {
     let number = whole(1.0, 32_768.0, tr!("unit-pixels"));
-    let lock = theme::of(ui).sizes.control;
-    let gap = theme::of(ui).sizes.gap_m;
-    let room = ui.available_width() - lock - gap;
     let [width, height] = draft.settings.size;
-    ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = gap;
-        ui.allocate_ui_with_layout(vec2(room, 0.0), Layout::top_down(Align::Min), |ui| {
-            ui.set_width(room);
-            if let Some(changed) = pixels(ui, "dialog-save-width", &number, width) {
-                draft.set_width(changed);
-            }
-            if let Some(changed) = pixels(ui, "dialog-save-height", &number, height) {
-                draft.set_height(changed);
-            }
-        });
-        let icon = if draft.keeps_ratio { icons::LOCK } else { icons::UNLOCK };
-        let (name, tooltip) = (tr!("dialog-save-ratio"), tr!("dialog-save-ratio.tooltip"));
-        if icon_toggle(ui, icon, draft.keeps_ratio, &name, &tooltip).clicked() {
-            draft.set_keeps_ratio(!draft.keeps_ratio);
-        }
-    });
+    if let Some(changed) = pixels(ui, "dialog-save-width", &number, width) {
+        draft.set_width(changed);
+    }
+    if let Some(changed) = pixels(ui, "dialog-save-height", &number, height) {
+        draft.set_height(changed);
+    }
+    let mut keeps = draft.keeps_ratio;
+    let (name, tooltip) = (tr!("dialog-save-ratio"), tr!("dialog-save-ratio.tooltip"));
+    if toggle(ui, &mut keeps, &name, &tooltip).changed() {
+        draft.set_keeps_ratio(keeps);
+    }
 }
 
 fn pixels(ui: &mut Ui, key: &str, number: &Number, value: u32) -> Option<u32> {
@@ -185,6 +177,9 @@ fn whole(min: f32, max: f32, unit: String) -> Number {
 /// A time as people say it.
 fn time_text(time: Option<Duration>) -> String {
     let Some(time) = time else { return tr!("dialog-save-time-unknown") };
+    if time.is_zero() {
+        return tr!("dialog-save-time-none");
+    }
     let seconds = time.as_secs_f64();
     let (key, count) = match seconds {
         s if s <= 90.0 => ("dialog-save-time-seconds", s),

@@ -76,11 +76,8 @@ impl ThingDialog {
         let document = around.document;
         let shown = draft.shown_in(document.scene());
         let mut picture = |ui: &mut Ui| {
-            let [width, height] = shown.settings.size.map(|s| s as f32);
-            let across = ui.available_width();
-            // Very tall pictures would leave the dialog.
-            let high = (across * height / width).min(across * 0.68);
-            preview.ui(ui, shown.clone(), document.assets(), vec2(high * width / height, high));
+            let width = ui.available_width();
+            preview.ui(ui, shown.clone(), document.assets(), vec2(width, (width * 0.62).floor()));
         };
         let scene = document.scene();
         let name = draft.name_before().map(str::to_owned);

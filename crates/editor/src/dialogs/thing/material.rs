@@ -2,7 +2,9 @@
 
 use crate::document::{Addition, EditCommand, Paint, Thing};
 use vitrine::math::Rgb;
-use vitrine::scene::{Item, Material, Object, ParamSpec, Params, Scene, Texture, TextureSource, Value, params};
+use vitrine::scene::{
+    Item, Material, Object, ParamSpec, Params, Scene, Texture, TextureSource, Value, params,
+};
 
 /// Where the material comes from.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -26,16 +28,8 @@ pub struct MaterialDraft {
 }
 
 /// What a person sees of a material at first.
-pub const FIRST_KEYS: [&str; 8] = [
-    "color",
-    "texture",
-    "diffuse",
-    "specular",
-    "shininess",
-    "reflectivity",
-    "transparency",
-    "refraction",
-];
+pub const FIRST_KEYS: [&str; 8] =
+    ["color", "texture", "diffuse", "specular", "shininess", "reflectivity", "transparency", "refraction"];
 
 impl MaterialDraft {
     /// What an object is made of; `with` brings materials and textures that the scene does not have yet.

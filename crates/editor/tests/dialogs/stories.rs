@@ -1,101 +1,18 @@
-//! Each dialog as a story, by the names that a screen reader says, in both languages.
+//! Each dialog as a story, in both languages.
 
-use super::*;
-use crate::action::Action;
-use crate::document::Addition;
-use crate::text::{Language, param_label, set_language, tr};
-use crate::theme;
+use crate::world::*;
+use eframe::egui::Key;
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Key, Ui, vec2};
 use egui_kittest::Harness;
-use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use egui_kittest::kittest::Queryable as _;
+use std::path::Path;
 use vitrine::math::Vec3;
-use vitrine::scene::{Light, LightSource, Object, ParamSpec, Shape, Value, lights, shapes};
-
-/// A window with a dialog in it.
-pub(super) struct World {
-    pub language: Language,
-    pub document: Document,
-    pub config: Config,
-    pub problems: Vec<ProblemLine>,
-    pub current: Option<CurrentPicture>,
-    pub open: Option<Dialog>,
-    pub actions: Actions,
-    pub replies: Vec<Reply>,
-    is_dressed: bool,
-}
-
-impl World {
-    pub fn new(language: Language) -> Self {
-        set_language(language);
-        Self {
-            language,
-            document: Document::default(),
-            config: Config { language, ..Config::default() },
-            problems: Vec::new(),
-            current: None,
-            open: None,
-            actions: Vec::new(),
-            replies: Vec::new(),
-            is_dressed: false,
-        }
-    }
-
-    pub fn draw(&mut self, ui: &mut Ui) {
-        set_language(self.language);
-        if !std::mem::replace(&mut self.is_dressed, true) {
-            theme::apply(ui, &self.config);
-            return;
-        }
-        let around = Around {
-            document: &self.document,
-            config: &self.config,
-            problems: &self.problems,
-            samples_per_second: Some(1.0e6),
-            current: self.current,
-        };
-        let reply = dialogs_ui(ui, &mut self.open, &around, &mut self.actions);
-        self.replies.extend(reply);
-    }
-}
-
-pub(super) fn harness(world: World) -> Harness<'static, World> {
-    let builder = Harness::builder().with_size(vec2(1280.0, 800.0));
-    let mut harness = builder.build_ui_state(|ui, world: &mut World| world.draw(ui), world);
-    harness.run();
-    harness
-}
-
-/// Types into the field of that name in place of what it held.
-fn type_into(harness: &mut Harness<'_, World>, name: &str, text: &str) {
-    let is_field = |role| matches!(role, Role::TextInput | Role::SpinButton | Role::NumberInput);
-    let field = |harness: &Harness<'_, World>| {
-        let nodes: Vec<_> = harness.query_all_by_label(name).map(|n| n.accesskit_node().role()).collect();
-        let place = nodes.iter().position(|role| is_field(*role));
-        place.unwrap_or_else(|| panic!("no field {name}: {nodes:?}"))
-    };
-    let at = field(harness);
-    harness.query_all_by_label(name).nth(at).unwrap().focus();
-    harness.run();
-    harness.key_combination_modifiers(eframe::egui::Modifiers::COMMAND, &[Key::A]);
-    harness.run();
-    let at = field(harness);
-    harness.query_all_by_label(name).nth(at).unwrap().type_text(text);
-    harness.run();
-}
-
-fn press(harness: &mut Harness<'_, World>, name: &str) {
-    harness.get_by_role_and_label(Role::Button, name).click();
-    harness.run();
-}
-
-fn both(test: impl Fn(Language)) {
-    Language::ALL.into_iter().for_each(test);
-}
-
-fn label(kind: &str, specs: &'static [ParamSpec], key: &str) -> String {
-    param_label(kind, specs.iter().find(|s| s.name == key).unwrap())
-}
+use vitrine::scene::{Light, LightSource, Object, Severity, Shape, Value, lights, shapes};
+use vitrine_editor::action::{Action, Screen};
+use vitrine_editor::dialogs::*;
+use vitrine_editor::document::{Addition, EditCommand, Thing};
+use vitrine_editor::files::Config;
+use vitrine_editor::text::{Language, tr};
 
 fn sphere() -> Object {
     Object { name: "Ball".into(), ..Object::default() }
@@ -139,7 +56,7 @@ fn c8_a_disc_lamp_with_typed_values_is_added_by_enter() {
         let mut harness = harness(world);
         type_into(&mut harness, &label("disc", lights::Disc::SPECS, "radius"), "1,5");
         harness.key_press(Key::Enter);
-        harness.run();
+        settle(&mut harness);
         let disc = lights::Disc { radius: 1.5, ..lights::Disc::default() };
         let lights = vec![Light { source: LightSource::Disc(disc), ..light }];
         let addition = Addition { lights, ..Addition::default() };
@@ -166,7 +83,7 @@ fn esc_and_cancel_change_nothing() {
             type_into(&mut harness, &label("sphere", shapes::Sphere::SPECS, "radius"), "3");
             if by_key {
                 harness.key_press(Key::Escape);
-                harness.run();
+                settle(&mut harness);
             } else {
                 press(&mut harness, &tr!("dialog-cancel"));
             }
@@ -189,11 +106,14 @@ fn the_focus_begins_in_the_first_field() {
 #[test]
 fn c4_a_triangle_with_its_points_on_a_line_is_not_accepted() {
     both(|language| {
-        let shape = Shape::Triangle(shapes::Triangle { points: [Vec3::ZERO, Vec3::X, Vec3::X * 2.0], ..Default::default() });
+        let shape = Shape::Triangle(shapes::Triangle {
+            points: [Vec3::ZERO, Vec3::X, Vec3::X * 2.0],
+            ..Default::default()
+        });
         let mut harness = add_object(language, Object { shape, ..sphere() });
         harness.get_by_label(&tr!("dialog-add-fault-line"));
         harness.key_press(Key::Enter);
-        harness.run();
+        settle(&mut harness);
         assert!(harness.state().open.is_some());
         assert_eq!(harness.state().actions, []);
     });
@@ -214,9 +134,9 @@ fn c10_c16_depth_and_threads_are_set_and_the_language_changes_at_once() {
         world.open = dialog;
         let mut harness = harness(world);
         harness.get_by_role_and_label(Role::ComboBox, &tr!("dialog-settings-threads")).click();
-        harness.run();
+        settle(&mut harness);
         harness.get_by_role_and_label(Role::Button, "1").click();
-        harness.run();
+        settle(&mut harness);
         type_into(&mut harness, &tr!("dialog-settings-depth"), "7");
         press(&mut harness, &tr!("dialog-ok"));
         let config = Config { threads: 1, language, ..Config::default() };
@@ -242,9 +162,9 @@ fn settings_are_taken_back_by_cancel() {
         world.open = dialog;
         let mut harness = harness(world);
         harness.get_by_label(&tr!("dialog-settings-large-text")).click();
-        harness.run();
+        settle(&mut harness);
         harness.key_press(Key::Escape);
-        harness.run();
+        settle(&mut harness);
         let before = Config { language, ..Config::default() };
         let changed = Config { large_text: true, ..before.clone() };
         let wanted = [changed, before].map(|c| Action::Configure(Box::new(c)));
@@ -285,7 +205,7 @@ fn unsaved_changes_have_three_ways_out() {
                 Some(name) => press(&mut harness, &tr!(name)),
                 None => {
                     harness.key_press(Key::Enter);
-                    harness.run();
+                    settle(&mut harness);
                 }
             }
             assert!(harness.state().open.is_none());
@@ -305,7 +225,7 @@ fn a_problem_is_mended_by_its_button_and_a_click_selects_its_thing() {
         let mut world = World::new(language);
         let command = EditCommand::SetAbout("mended".into());
         world.problems = vec![ProblemLine {
-            severity: vitrine::scene::Severity::Warning,
+            severity: Severity::Warning,
             text: "The camera is inside Ball".into(),
             help: String::new(),
             thing: Some(Thing::object("Ball")),
@@ -348,7 +268,41 @@ fn an_error_shows_line_and_help_and_copies_itself() {
         harness.get_by_label("Did you mean `radius`?");
         harness.get_by_label(&tr!("dialog-error-line", line = 12));
         harness.get_by_role_and_label(Role::Button, &tr!("dialog-copy")).click();
-        harness.run();
+        settle(&mut harness);
         harness.get_by_label(&tr!("dialog-copied"));
+    });
+}
+
+/// Does to the document what was asked for.
+fn carry_out(world: &mut World) {
+    for action in std::mem::take(&mut world.actions) {
+        match action {
+            Action::Edit(command) => world.document.apply(command).unwrap(),
+            Action::Drag(command, gesture) => world.document.drag(command, gesture).unwrap(),
+            Action::Select(things) => world.document.select(things),
+            other => panic!("{other:?}"),
+        }
+    }
+}
+
+#[test]
+fn c14_edit_changes_a_thing_and_its_name_in_one_step_that_can_be_undone() {
+    both(|language| {
+        let mut world = World::new(language);
+        let addition = Addition { objects: vec![sphere()], ..Addition::default() };
+        world.document.apply(EditCommand::Add(addition)).unwrap();
+        let before = world.document.scene().clone();
+        let dialog = ThingDialog::edit(&Thing::object("Ball"), &world.document).unwrap();
+        world.open = Some(Dialog::Thing(Box::new(dialog)));
+        let mut harness = harness(world);
+        type_into(&mut harness, &label("sphere", shapes::Sphere::SPECS, "radius"), "2");
+        type_into(&mut harness, &tr!("dialog-add-name"), "Globe");
+        press(&mut harness, &tr!("dialog-edit-ok"));
+        let world = harness.state_mut();
+        carry_out(world);
+        let globe = world.document.scene().object("Globe").unwrap();
+        assert_eq!(globe.shape, Shape::Sphere(shapes::Sphere { radius: 2.0 }));
+        assert!(world.document.undo());
+        assert_eq!(*world.document.scene(), before, "one step");
     });
 }
