@@ -64,6 +64,9 @@ impl From<Error> for Failure {
                 error.to_string(),
                 "--region takes X,Y,W,H in pixels from the upper left corner of the picture",
             ),
+            Error::Render(RenderError::OtherFilm) => {
+                Self::new(Exit::Failed, Report::error(error.to_string()))
+            }
             Error::Render(RenderError::TooLarge { .. }) => {
                 Self::usage(error.to_string(), "give it fewer pixels with --size")
             }

@@ -42,7 +42,13 @@ pub const TEMPLATES: &[Template] = &[
     template!("", "aquarium", "textures/vitrine-wood.png"),
     template!("", "glass-ball"),
     template!("", "snow-globe", "models/cone.obj", "models/foot.obj", "textures/vitrine-wood.png"),
-    template!("", "bottle-still-life", "models/bottle.obj", "models/goblet.obj", "textures/vitrine-marble.png"),
+    template!(
+        "",
+        "bottle-still-life",
+        "models/bottle.obj",
+        "models/goblet.obj",
+        "textures/vitrine-marble.png"
+    ),
     template!("coursework/", "benchmark", "models/cone-160.obj", "models/cone-162.obj"),
     template!("coursework/", "transparent-sphere", "models/cone-160.obj"),
     template!("coursework/", "two-mirror-spheres"),

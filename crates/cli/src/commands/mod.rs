@@ -12,9 +12,9 @@ mod schema;
 mod sweep;
 mod templates;
 
-use crate::failure::{Exit, Failure};
 #[cfg(not(feature = "editor"))]
 use crate::console;
+use crate::failure::{Exit, Failure};
 use crate::{events, report};
 use clap::{Parser, Subcommand};
 use std::ffi::OsString;

@@ -22,7 +22,11 @@ fn without_a_display_it_says_so_and_points_to_what_works() {
     let folder = Folder::new();
     for arguments in [&[][..], &["edit"]] {
         let mut command = folder.command();
-        command.args(arguments).env_remove("DISPLAY").env_remove("WAYLAND_DISPLAY").env_remove("WAYLAND_SOCKET");
+        command
+            .args(arguments)
+            .env_remove("DISPLAY")
+            .env_remove("WAYLAND_DISPLAY")
+            .env_remove("WAYLAND_SOCKET");
         let output = command.output().unwrap();
         let told = String::from_utf8(output.stderr).unwrap();
         assert_eq!(output.status.code(), Some(1), "{told}");

@@ -6,10 +6,3 @@ app-picture-not-saved = The render was stopped, so the picture was not saved. â€
 app-picture-for-nothing = Select what the picture is to cover, then drop it again
 app-nothing-to-frame = There is nothing to show: planes have no end
 app-no-autosave = Nothing is kept for the case of a crash: { $reason }
-app-moments-ago = a moment ago
-app-minutes-ago = { $count ->
-        [one] one minute ago
-       *[other] { $count } minutes ago
-    }
-app-hours-ago = { $count } hours ago
-app-days-ago = { $count } days ago

@@ -1,7 +1,7 @@
 //! Carrying out what was asked for.
 
-use super::chooser::Purpose;
 use super::Editor;
+use super::chooser::Purpose;
 use crate::action::{Action, NewThing, Screen};
 use crate::dialogs::tour::Tour;
 use crate::dialogs::{Around, Browse, CurrentPicture, Dialog, Reply, ThingDialog};
@@ -47,6 +47,7 @@ impl Editor {
             | Action::EditDialog(_)
             | Action::ModelSettings(_)
             | Action::LoadModel
+            | Action::ChooseFile { .. }
             | Action::Show(_) => self.open_dialog(action),
             Action::StartRender | Action::StopRender | Action::ContinueRender => self.render(&action),
             Action::Configure(config) => self.configure(ctx, *config),
@@ -56,7 +57,7 @@ impl Editor {
 
     fn carry_file(&mut self, ctx: &Context, action: Action) {
         match action {
-            Action::New => self.is_choosing = !self.is_choosing || !self.has_scene(),
+            Action::New => self.is_choosing = true,
             Action::NewFrom(name) => {
                 self.unless_unsaved(Action::NewFrom(name.clone()), |editor| editor.begin_with(&name));
             }
@@ -77,11 +78,6 @@ impl Editor {
             }),
             _ => {}
         }
-    }
-
-    /// Whether there is a scene to go back to from the gallery.
-    pub(super) fn has_scene(&self) -> bool {
-        self.document.path().is_some() || self.document.revision() > 0 || self.has_begun
     }
 
     fn select(&mut self, action: Action) {
@@ -106,7 +102,9 @@ impl Editor {
     fn use_clipboard(&mut self, ctx: &Context, action: &Action) {
         if *action == Action::Paste {
             let pasted = ctx.input(|i| {
-                i.events.iter().find_map(|e| if let Event::Paste(text) = e { Some(text.clone()) } else { None })
+                i.events
+                    .iter()
+                    .find_map(|e| if let Event::Paste(text) = e { Some(text.clone()) } else { None })
             });
             match pasted {
                 Some(text) => self.edit(EditCommand::Paste(text)),
@@ -162,6 +160,13 @@ impl Editor {
             Action::LoadModel => {
                 let folder = self.scene_folder();
                 self.chooser.open(Purpose::LoadModel, folder.as_deref(), "");
+            }
+            Action::ChooseFile { thing, key } => {
+                let folder = self.scene_folder();
+                let purpose =
+                    if self.is_model(&thing) { Purpose::ReplaceModel } else { Purpose::ReplaceTexture };
+                self.chooser.open(purpose, folder.as_deref(), "");
+                self.scenes.choose_for(thing, key);
             }
             Action::Show(Screen::Tour) => {
                 if self.is_choosing {
@@ -243,8 +248,6 @@ impl Editor {
                 self.document.forget_changes();
                 self.actions.push(*action);
             }
-            Reply::Recover => self.recover(),
-            Reply::ForgetRecovery => self.forget_recovery(),
             Reply::Reload(path) => {
                 self.document.forget_changes();
                 self.open_file(path);

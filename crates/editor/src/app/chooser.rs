@@ -16,6 +16,10 @@ pub enum Purpose {
     LoadModel,
     /// A picture for a texture.
     LoadTexture,
+    /// Another model in place of one of the scene's.
+    ReplaceModel,
+    /// A picture for something of the scene.
+    ReplaceTexture,
     /// The name under which the picture is saved.
     SavePicture,
 }
@@ -41,7 +45,7 @@ impl Chooser {
         self.dialog = dialog_for(purpose).initial_directory(folder).default_file_name(name);
         match purpose {
             Purpose::SaveScene | Purpose::SavePicture => self.dialog.save_file(),
-            Purpose::OpenScene | Purpose::LoadModel | Purpose::LoadTexture => self.dialog.pick_file(),
+            _ => self.dialog.pick_file(),
         }
         self.purpose = Some(purpose);
     }
@@ -91,11 +95,16 @@ fn dialog_for(purpose: Purpose) -> FileDialog {
         dialog.add_file_filter(&name, ending(ends)).default_file_filter(&name)
     };
     match purpose {
-        Purpose::OpenScene => with_filter(dialog, "chooser-scenes", &[".toml"]).title(&tr!("chooser-open-scene")),
+        Purpose::OpenScene => {
+            with_filter(dialog, "chooser-scenes", &[".toml"]).title(&tr!("chooser-open-scene"))
+        }
         Purpose::SaveScene => dialog.title(&tr!("chooser-save-scene")),
-        Purpose::LoadModel => with_filter(dialog, "chooser-models", &[".obj"]).title(&tr!("chooser-load-model")),
-        Purpose::LoadTexture => {
-            with_filter(dialog, "chooser-pictures", &[".png", ".jpg", ".jpeg"]).title(&tr!("chooser-load-texture"))
+        Purpose::LoadModel | Purpose::ReplaceModel => {
+            with_filter(dialog, "chooser-models", &[".obj"]).title(&tr!("chooser-load-model"))
+        }
+        Purpose::LoadTexture | Purpose::ReplaceTexture => {
+            with_filter(dialog, "chooser-pictures", &[".png", ".jpg", ".jpeg"])
+                .title(&tr!("chooser-load-texture"))
         }
         Purpose::SavePicture => dialog.title(&tr!("chooser-save-picture")),
     }

@@ -42,7 +42,13 @@ impl Doctor {
             let thing = problem.things.into_iter().next();
             // What the doctor says with a mend need not be said twice.
             if !lines.iter().any(|line| line.text == text) {
-                lines.push(ProblemLine { severity: problem.severity, text, help: String::new(), thing, mend });
+                lines.push(ProblemLine {
+                    severity: problem.severity,
+                    text,
+                    help: String::new(),
+                    thing,
+                    mend,
+                });
             }
         }
         self.lines = lines;

@@ -3,7 +3,7 @@
 use super::Editor;
 use crate::dialogs::tour;
 use crate::live::FinalState;
-use crate::panels::gallery::gallery_ui;
+use crate::panels::gallery::{GalleryAnswer, GalleryModel, gallery_ui};
 use crate::panels::list::list_ui;
 use crate::panels::materials::materials_ui;
 use crate::panels::menu::menu_ui;
@@ -29,15 +29,23 @@ impl Editor {
 
     fn draw_gallery(&mut self, ui: &mut Ui) {
         let fill = theme::of(ui).surround;
-        CentralPanel::no_frame().frame(Frame::NONE.fill(fill)).show(ui, |ui| {
-            let can_return = self.document.history().undoable() > 0 || self.document.path().is_some();
-            gallery_ui(
-                ui,
-                &mut self.gallery,
-                (&self.recent, &self.thumbnails, self.config.language, can_return),
-                &mut self.actions,
-            );
+        let panel = CentralPanel::no_frame().frame(Frame::NONE.fill(fill));
+        let answer = panel.show(ui, |ui| {
+            let model = GalleryModel {
+                recent: &self.recent,
+                recoveries: &self.recoveries,
+                thumbnails: &self.thumbnails,
+                config: &self.config,
+                can_return: self.has_begun,
+            };
+            gallery_ui(ui, &mut self.gallery, &model, &mut self.actions)
         });
+        match answer.inner {
+            Some(GalleryAnswer::Recover(index)) => self.recover(index),
+            Some(GalleryAnswer::Discard(index)) => self.forget_recovery(index),
+            Some(GalleryAnswer::Return) => self.is_choosing = false,
+            None => {}
+        }
     }
 
     fn draw_scene(&mut self, ui: &mut Ui) {
@@ -60,12 +68,18 @@ impl Editor {
         let top = |name, height: f32| Panel::top(Id::new(name)).exact_size(height).resizable(false);
         top("menu", sizes.menu_bar).frame(bar(0.0)).show(ui, |ui| menu_ui(ui, &around, actions));
         top("toolbar", sizes.toolbar).frame(bar(0.0)).show(ui, |ui| toolbar_ui(ui, &around, actions));
-        Panel::bottom(Id::new("status")).exact_size(sizes.status).resizable(false).frame(bar(0.0)).show(ui, |ui| {
-            status_ui(ui, &around, &progress, &standing, actions);
-        });
-        Panel::left(Id::new("list")).exact_size(sizes.list_width).resizable(false).frame(panel).show(ui, |ui| {
-            list_ui(ui, &self.document, &mut self.list, actions);
-        });
+        Panel::bottom(Id::new("status")).exact_size(sizes.status).resizable(false).frame(bar(0.0)).show(
+            ui,
+            |ui| {
+                status_ui(ui, &around, &progress, &standing, actions);
+            },
+        );
+        Panel::left(Id::new("list")).exact_size(sizes.list_width).resizable(false).frame(panel).show(
+            ui,
+            |ui| {
+                list_ui(ui, &self.document, &mut self.list, actions);
+            },
+        );
         let width = sizes.properties_width;
         Panel::right(Id::new("properties")).exact_size(width).resizable(false).frame(panel).show(ui, |ui| {
             tour::mark(ui.ctx(), "properties", ui.max_rect());

@@ -42,12 +42,13 @@ pub fn run(scene: Option<PathBuf>) -> Result<(), LaunchError> {
     let hook = panic::take_hook();
     panic::set_hook(Box::new(|_| {}));
     let is_open = AtomicBool::new(false);
-    let places = Places::of_machine();
+    let places = Places::of_this_person();
     let ended = panic::catch_unwind(AssertUnwindSafe(|| {
         let open = |creation: &eframe::CreationContext<'_>| {
             panic::set_hook(hook);
             is_open.store(true, Ordering::Relaxed);
-            Ok(Box::new(Editor::new(&creation.egui_ctx, places, scene, Pace::Threads)) as Box<dyn eframe::App>)
+            Ok(Box::new(Editor::new(&creation.egui_ctx, places, scene, Pace::Threads))
+                as Box<dyn eframe::App>)
         };
         eframe::run_native("vitrine", options, Box::new(open))
     }));
@@ -62,5 +63,6 @@ pub fn run(scene: Option<PathBuf>) -> Result<(), LaunchError> {
 
 fn words_of(panic: &(dyn Any + Send)) -> String {
     let text = panic.downcast_ref::<&str>().map(|s| (*s).to_owned());
-    text.or_else(|| panic.downcast_ref::<String>().cloned()).unwrap_or_else(|| "no reason is known".to_owned())
+    text.or_else(|| panic.downcast_ref::<String>().cloned())
+        .unwrap_or_else(|| "no reason is known".to_owned())
 }

@@ -16,7 +16,9 @@ use crate::action::{Action, Actions};
 use crate::dialogs::tour::{Tour, TourFacts};
 use crate::dialogs::{self, Around, Dialog, tour_ui};
 use crate::document::Document;
-use crate::files::{AUTOSAVE_EVERY, Autosave, Config, Places, Recent, Recovery, Wake, read_template, recoverable};
+use crate::files::{
+    AUTOSAVE_EVERY, Autosave, Config, Places, Recent, Recovery, Wake, read_template, recoverable,
+};
 use crate::library::Thumbnails;
 use crate::live::Live;
 use crate::panels::gallery::GalleryState;
@@ -102,7 +104,7 @@ impl Editor {
         if let Err(error) = &autosave {
             notices.error(crate::tr!("app-no-autosave", reason = error.to_string()));
         }
-        let mut editor = Self {
+        Self {
             document: first_document(),
             is_choosing: true,
             has_begun: false,
@@ -129,9 +131,7 @@ impl Editor {
             actions: scene.map(Action::OpenFile).into_iter().collect(),
             wake,
             may_close: false,
-        };
-        editor.ask_about_recovery();
-        editor
+        }
     }
 
     /// What is being edited.
@@ -197,7 +197,8 @@ impl Editor {
     }
 
     fn take_dropped_files(&mut self, ctx: &Context) {
-        let dropped = ctx.input(|i| i.raw.dropped_files.iter().map(|f| f.path().to_owned()).collect::<Vec<_>>());
+        let dropped =
+            ctx.input(|i| i.raw.dropped_files.iter().map(|f| f.path().to_owned()).collect::<Vec<_>>());
         self.actions.extend(dropped.into_iter().map(Action::OpenFile));
     }
 

@@ -39,7 +39,12 @@ impl PictureSaver {
         self.saved
     }
 
-    fn write(&mut self, image: Arc<FinalImage>, (request, mut metadata): (SavePictureRequest, Vec<(String, String)>), wake: Wake) {
+    fn write(
+        &mut self,
+        image: Arc<FinalImage>,
+        (request, mut metadata): (SavePictureRequest, Vec<(String, String)>),
+        wake: Wake,
+    ) {
         if !image.is_complete {
             metadata.push(("vitrine:complete".into(), "false".into()));
         }
@@ -118,7 +123,8 @@ impl Editor {
                 self.notices.success(tr!("app-picture-saved", path = path.display().to_string()));
             }
             TaskState::Done(Err(error)) => {
-                self.dialog = Some(Dialog::Error(Box::new(ErrorReport::of_file(Failure::SavePicture, &error))));
+                self.dialog =
+                    Some(Dialog::Error(Box::new(ErrorReport::of_file(Failure::SavePicture, &error))));
             }
             TaskState::Over => {}
         }

@@ -1,15 +1,13 @@
 //! What survives the end of the window: autosave while one edits, and scenes of windows that were killed.
 
 use super::Editor;
-use crate::dialogs::{self, Dialog, Failure};
+use crate::dialogs::Failure;
 use crate::document::Document;
 use crate::files::{Recovery, Snapshot};
 use crate::library::ThumbnailImage;
 use crate::live::Picture;
 use crate::text::tr;
-use eframe::egui::ColorImage;
 use std::path::PathBuf;
-use std::time::{Duration, SystemTime};
 
 /// The longer side of the small picture that is kept with a scene, pixels.
 const THUMBNAIL: usize = 240;
@@ -42,21 +40,12 @@ impl Editor {
         }
     }
 
-    /// Asks what to do with the newest scene that was kept when its window was killed.
-    pub(super) fn ask_about_recovery(&mut self) {
-        let Some(recovery) = self.recoveries.first() else { return };
-        let age = SystemTime::now().duration_since(recovery.when).unwrap_or_default();
-        let picture = recovery.thumbnail.as_ref().map(|image| ColorImage::from_rgba_unmultiplied(image.size, &image.rgba));
-        let dialog = dialogs::Recovery::new(recovery.title.clone(), age_text(age), picture);
-        self.dialog = Some(Dialog::Recover(Box::new(dialog)));
-    }
-
-    /// Opens that scene.
-    pub(super) fn recover(&mut self) {
-        if self.recoveries.is_empty() {
+    /// Opens a scene that was kept when its window was killed.
+    pub(super) fn recover(&mut self, index: usize) {
+        if index >= self.recoveries.len() {
             return;
         }
-        let recovery = self.recoveries.remove(0);
+        let recovery = self.recoveries.remove(index);
         match recovery.open() {
             Ok(opened) => {
                 let folder = recovery.folder().map(Into::into).unwrap_or_default();
@@ -80,23 +69,11 @@ impl Editor {
         }
     }
 
-    /// Throws that scene away.
-    pub(super) fn forget_recovery(&mut self) {
-        if !self.recoveries.is_empty() {
-            self.recoveries.remove(0).discard();
+    /// Throws such a scene away.
+    pub(super) fn forget_recovery(&mut self, index: usize) {
+        if index < self.recoveries.len() {
+            self.recoveries.remove(index).discard();
         }
-        self.ask_about_recovery();
-    }
-}
-
-/// How long ago, in words that fit into a sentence.
-fn age_text(age: Duration) -> String {
-    let minutes = age.as_secs() / 60;
-    match minutes {
-        0 => tr!("app-moments-ago"),
-        1..=119 => tr!("app-minutes-ago", count = minutes),
-        120..=2879 => tr!("app-hours-ago", count = minutes / 60),
-        _ => tr!("app-days-ago", count = minutes / 1440),
     }
 }
 

@@ -1,20 +1,20 @@
 //! Opening, saving and adding from files, each on another thread while the window goes on.
 
-use super::chooser::Purpose;
 use super::Editor;
+use super::chooser::Purpose;
 use crate::action::Action;
 use crate::dialogs::{Changed, Dialog, ErrorReport, Failure, LoadedModel, ModelDialog, Unsaved};
-use crate::document::{Document, EditCommand, Thing, cover};
+use crate::document::{Addition, Document, EditCommand, Paint, Thing, cover, free_name};
 use crate::files::{
-    NewAsset, OpenError, Opened, SaveError, SaveRequest, Saved, Seen, Task, TaskState, read_model, read_picture,
-    read_scene, read_template, save,
+    NewAsset, OpenError, Opened, SaveError, SaveRequest, Saved, Seen, Task, TaskState, read_model,
+    read_picture, read_scene, read_template, save,
 };
 use crate::panels::list::ListState;
 use crate::panels::properties::PropertiesState;
 use crate::text::tr;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use vitrine::scene::{Scene, Shape};
+use vitrine::scene::{ListName, Scene, Shape, Value};
 
 /// What is being read and written.
 #[derive(Default)]
@@ -24,6 +24,8 @@ pub struct Scenes {
     adding: Option<(Task<Result<NewAsset, OpenError>>, Addend)>,
     /// What the scene's file said last.
     seen: Option<Seen>,
+    /// What a file is chosen for: a parameter of something.
+    chosen_for: Option<(Thing, String)>,
     /// What waits until the scene has been saved.
     after_save: Option<Action>,
 }
@@ -45,12 +47,27 @@ enum Addend {
     PictureForDialog,
     /// A picture, for what is selected.
     PictureForSelection,
+    /// Another model, for a parameter.
+    ModelForParam,
+    /// A picture, for a parameter.
+    PictureForParam,
+}
+
+impl Addend {
+    const fn is_model(self) -> bool {
+        matches!(self, Self::Model | Self::ModelForParam)
+    }
 }
 
 impl Scenes {
     /// What the scene's file said last.
     pub fn seen(&self) -> Option<Seen> {
         self.seen.clone()
+    }
+
+    /// Notes for which parameter a file is being chosen.
+    pub fn choose_for(&mut self, thing: Thing, key: String) {
+        self.chosen_for = Some((thing, key));
     }
 
     /// Notes what the scene's file said.
@@ -96,6 +113,8 @@ impl Editor {
             Purpose::SaveScene => self.save_to(with_ending(path)),
             Purpose::LoadModel => self.add_file(path, Addend::Model),
             Purpose::LoadTexture => self.add_file(path, Addend::PictureForDialog),
+            Purpose::ReplaceModel => self.add_file(path, Addend::ModelForParam),
+            Purpose::ReplaceTexture => self.add_file(path, Addend::PictureForParam),
             Purpose::SavePicture => {
                 if let Some(dialog) = &mut self.dialog {
                     dialog.take_path(&path, &self.document);
@@ -106,10 +125,8 @@ impl Editor {
 
     fn add_file(&mut self, path: PathBuf, addend: Addend) {
         let folder = self.scene_folder();
-        let task = Task::spawn(self.wake.clone(), move || match addend {
-            Addend::Model => read_model(&path, folder.as_deref()),
-            Addend::PictureForDialog | Addend::PictureForSelection => read_picture(&path, folder.as_deref()),
-        });
+        let read = if addend.is_model() { read_model } else { read_picture };
+        let task = Task::spawn(self.wake.clone(), move || read(&path, folder.as_deref()));
         self.scenes.adding = Some((task, addend));
     }
 
@@ -260,7 +277,7 @@ impl Editor {
         match answer {
             Some(Ok(asset)) => self.take_asset(asset, addend),
             Some(Err(error)) => {
-                let failure = if addend == Addend::Model { Failure::Model } else { Failure::Other };
+                let failure = if addend.is_model() { Failure::Model } else { Failure::Other };
                 self.report(failure, &error);
             }
             None => {}
@@ -282,8 +299,33 @@ impl Editor {
                     dialog.take_path(Path::new(&file), &self.document);
                 }
             }
+            (Addend::ModelForParam | Addend::PictureForParam, _) => self.set_chosen(&file),
             _ => self.lay_over_selection(&file),
         }
+    }
+
+    /// Gives a file to the parameter that it was chosen for.
+    fn set_chosen(&mut self, file: &str) {
+        let Some((thing, key)) = self.scenes.chosen_for.take() else { return };
+        let set = |key: String, text: String| EditCommand::Set {
+            things: vec![thing.clone()],
+            key,
+            value: Value::Text(text),
+        };
+        if thing.list() != Some(ListName::Material) {
+            self.edit(set(key, file.to_owned()));
+            return;
+        }
+        // A material names a texture, which names the file.
+        let Paint { texture: Some(mut texture), .. } = cover(self.document.scene(), &[], file) else {
+            return;
+        };
+        texture.name = free_name(self.document.scene(), ListName::Texture, &texture.name);
+        let selected = self.document.selection().things().to_vec();
+        let name = texture.name.clone();
+        let add = EditCommand::Add(Addition { textures: vec![texture], ..Addition::default() });
+        self.edit(EditCommand::Several(vec![add, set(key, name)]));
+        self.document.select(selected);
     }
 
     /// Lays a picture over the selected objects.
@@ -298,7 +340,7 @@ impl Editor {
     }
 
     pub(super) fn selected_objects(&self) -> Vec<Thing> {
-        let is_object = |t: &&Thing| t.list() == Some(vitrine::scene::ListName::Object);
+        let is_object = |t: &&Thing| t.list() == Some(ListName::Object);
         self.document.selection().things().iter().filter(is_object).cloned().collect()
     }
 
@@ -312,8 +354,7 @@ impl Editor {
     /// Whether a thing is a model.
     pub(super) fn is_model(&self, thing: &Thing) -> bool {
         let object = thing.name().and_then(|name| self.document.scene().object(name));
-        thing.list() == Some(vitrine::scene::ListName::Object)
-            && object.is_some_and(|o| matches!(o.shape, Shape::Mesh(_)))
+        thing.list() == Some(ListName::Object) && object.is_some_and(|o| matches!(o.shape, Shape::Mesh(_)))
     }
 
     /// Tells why a file was not opened. What was open stays.
@@ -338,7 +379,11 @@ impl Editor {
 /// Scenes end in `.vitrine.toml`.
 fn with_ending(path: PathBuf) -> PathBuf {
     let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    if name.to_lowercase().ends_with(".toml") { path } else { path.with_file_name(format!("{name}.vitrine.toml")) }
+    if name.to_lowercase().ends_with(".toml") {
+        path
+    } else {
+        path.with_file_name(format!("{name}.vitrine.toml"))
+    }
 }
 
 #[cfg(test)]

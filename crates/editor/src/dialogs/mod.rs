@@ -15,7 +15,7 @@ mod thing;
 pub mod tour;
 mod tour_card;
 
-pub use ask::{Changed, Recovery, Unsaved};
+pub use ask::{Changed, Unsaved};
 pub use help::{GlossaryDialog, TERMS, Words, in_all_languages, search_terms};
 pub use model::{LoadedModel, ModelDialog, ModelDraft, Units, Up};
 pub use preview::Preview;
@@ -50,8 +50,6 @@ pub enum Dialog {
     Settings(Box<SettingsDialog>),
     /// What to do with changes that are not saved.
     Unsaved(Box<Unsaved>),
-    /// What to do with what was saved by itself before the program ended.
-    Recover(Box<Recovery>),
     /// What to do when another program has changed the file.
     Changed(Changed),
     /// Something did not work.
@@ -129,7 +127,6 @@ pub fn dialogs_ui(
         Dialog::SavePicture(dialog) => dialog.show(ctx, around),
         Dialog::Settings(dialog) => dialog.show(ctx, around, actions),
         Dialog::Unsaved(dialog) => dialog.show(ctx),
-        Dialog::Recover(dialog) => dialog.show(ctx),
         Dialog::Changed(dialog) => dialog.show(ctx),
         Dialog::Error(dialog) => dialog.show(ctx),
         Dialog::Problems => problems::show(ctx, around, actions),

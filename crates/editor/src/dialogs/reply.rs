@@ -15,10 +15,6 @@ pub enum Reply {
     SaveThen(Box<Action>),
     /// Do what waits; the changes are lost.
     DropThen(Box<Action>),
-    /// Open the scene that was saved by itself before the program ended.
-    Recover,
-    /// Delete it.
-    ForgetRecovery,
     /// Read the open scene again from the disc.
     Reload(PathBuf),
     /// Keep the scene as it is here.

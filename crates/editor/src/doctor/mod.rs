@@ -7,9 +7,9 @@ mod view;
 
 pub use problems::{ProblemLine, problems};
 
+use crate::document::{Document, EditCommand, Message, Thing};
 use vitrine::film::ViewTransform;
 use vitrine::math::Rgb;
-use crate::document::{Document, EditCommand, Message, Thing};
 
 /// How bright the picture is that a person sees: which shares of its pixels, 0 to 1 each, are as good as black, as good as
 /// white, and background.

@@ -10,7 +10,8 @@ use vitrine::scene::{Material, Scene, Texture, TextureSource};
 #[must_use]
 pub fn cover(scene: &Scene, things: &[Thing], file: &str) -> Paint {
     let object = things.iter().find_map(|thing| scene.object(thing.name()?));
-    let name = Path::new(file).file_stem().map_or_else(|| file.to_owned(), |s| s.to_string_lossy().into_owned());
+    let name =
+        Path::new(file).file_stem().map_or_else(|| file.to_owned(), |s| s.to_string_lossy().into_owned());
     let known = object.and_then(|o| scene.material(o.material.as_deref()?)).cloned();
     let material = known.unwrap_or_else(|| Material { name: name.clone(), ..Material::default() });
     let source = TextureSource::Picture(PictureFile { file: file.to_owned(), ..PictureFile::default() });
@@ -29,7 +30,10 @@ mod tests {
         let ball = Object { name: "ball".into(), material: Some("glass".into()), ..Object::default() };
         let scene = Scene { materials: vec![glass], objects: vec![ball], ..Scene::default() };
         let paint = cover(&scene, &[Thing::object("ball")], "pictures/sky.png");
-        assert_eq!((paint.material.transparency, paint.material.texture.as_deref()), (Some(0.5), Some("sky")));
+        assert_eq!(
+            (paint.material.transparency, paint.material.texture.as_deref()),
+            (Some(0.5), Some("sky"))
+        );
         let file = paint.texture.and_then(|t| t.source.as_kind().file().map(Path::to_owned));
         assert_eq!(file.as_deref(), Some(Path::new("pictures/sky.png")));
     }

@@ -124,7 +124,12 @@ fn edit_ui(ui: &mut Ui, around: &Around, actions: &mut Actions) {
 pub fn add_entries_ui(ui: &mut Ui, actions: &mut Actions) {
     let objects = Shape::KINDS.iter().map(|k| NewThing { list: ListName::Object, kind: k.name });
     for new in objects {
-        kind_entry_ui(ui, new, |new| if new.is_model() { Action::LoadModel } else { Action::AddDialog(new) }, actions);
+        kind_entry_ui(
+            ui,
+            new,
+            |new| if new.is_model() { Action::LoadModel } else { Action::AddDialog(new) },
+            actions,
+        );
     }
     ui.separator();
     lights_ui(ui, Action::AddDialog, actions);

@@ -31,7 +31,13 @@ pub struct Standing {
 }
 
 /// Draws the line.
-pub fn status_ui(ui: &mut Ui, around: &Around, progress: &Progress, standing: &Standing, actions: &mut Actions) {
+pub fn status_ui(
+    ui: &mut Ui,
+    around: &Around,
+    progress: &Progress,
+    standing: &Standing,
+    actions: &mut Actions,
+) {
     let theme = theme::of(ui);
     ui.horizontal_centered(|ui| {
         progress_ui(ui, progress);

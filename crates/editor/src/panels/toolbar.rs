@@ -98,7 +98,8 @@ fn render_ui(ui: &mut Ui, around: &Around, actions: &mut Actions) {
         actions.push(action);
     }
     if around.render == RenderState::Stopped
-        && tool_button(ui, icons::OPEN_RIGHT, &tr!("toolbar-continue"), &tr!("menu-continue.tooltip"), "").clicked()
+        && tool_button(ui, icons::OPEN_RIGHT, &tr!("toolbar-continue"), &tr!("menu-continue.tooltip"), "")
+            .clicked()
     {
         actions.push(Action::ContinueRender);
     }

@@ -86,8 +86,6 @@ fn all_dialogs(world: &World) -> Vec<(&'static str, Dialog)> {
     let current = Some(CurrentPicture { size: [960, 720], samples: 24 });
     let save_current = SaveDialog::new(Path::new("ball.png"), &settings, current);
     let unsaved = Unsaved { name: Some("display-case".into()), then: Action::Quit };
-    let picture = ColorImage::filled([160, 120], theme::Theme::of_config(&world.config).accent);
-    let recovery = Recovery::new("x".into(), "display-case".into(), "3 min".into(), Some(picture));
     let changed = Changed { path: "display-case.vitrine.toml".into(), is_unsaved: true };
     vec![
         ("sphere", thing(world, &object(Shape::Sphere(shapes::Sphere::default())))),
@@ -103,7 +101,6 @@ fn all_dialogs(world: &World) -> Vec<(&'static str, Dialog)> {
         ("save-current", Dialog::SavePicture(Box::new(save_current))),
         ("settings", screen(Screen::Settings)),
         ("unsaved", Dialog::Unsaved(Box::new(unsaved))),
-        ("recover", Dialog::Recover(Box::new(recovery))),
         ("changed", Dialog::Changed(changed)),
         ("error", Dialog::Error(Box::new(report()))),
         ("problems", Dialog::Problems),

@@ -33,7 +33,8 @@ impl Person {
         text::set_language(config.language);
         let size = Vec2::from(WINDOW_SIZE);
         let builder = Harness::builder().with_size(size).with_max_steps(32).renderer(CpuRenderer::default());
-        let window = builder.build_eframe(move |creation| Editor::new(&creation.egui_ctx, places, None, Pace::Immediate));
+        let window = builder
+            .build_eframe(move |creation| Editor::new(&creation.egui_ctx, places, None, Pace::Immediate));
         let mut person = Self { window, home };
         person.wait();
         person
@@ -74,7 +75,8 @@ impl Person {
     pub fn control(&self, name: &str) -> Node<'_> {
         let all: Vec<_> = self.window.query_all_by_label(name).collect();
         // A label may say the same as the control that it belongs to.
-        let is_control = |n: &&Node<'_>| !matches!(n.accesskit_node().role(), Role::Label | Role::GenericContainer);
+        let is_control =
+            |n: &&Node<'_>| !matches!(n.accesskit_node().role(), Role::Label | Role::GenericContainer);
         let found = all.iter().find(is_control).or_else(|| all.first()).copied();
         found.unwrap_or_else(|| panic!("there is no {name:?}; there are: {:?}", self.names()))
     }

@@ -46,9 +46,12 @@ pub fn list_ui(ui: &mut Ui, document: &Document, state: &mut ListState, actions:
     let foot = sizes.control + sizes.gap_l;
     let rows = rows(document.scene(), &state.closed, &state.search);
     let room = ui.available_height() - foot;
-    ScrollArea::vertical().id_salt("list").max_height(room).min_scrolled_height(room).auto_shrink(false).show(
-        ui,
-        |ui| {
+    ScrollArea::vertical()
+        .id_salt("list")
+        .max_height(room)
+        .min_scrolled_height(room)
+        .auto_shrink(false)
+        .show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
             if rows.is_empty() {
                 empty_hint(ui, &tr!("list-nothing-found"));
@@ -56,12 +59,12 @@ pub fn list_ui(ui: &mut Ui, document: &Document, state: &mut ListState, actions:
             for row in &rows {
                 row_ui(ui, document, row, &rows, (state, actions));
             }
-        },
-    );
+        });
     foot_ui(ui, document, actions);
     // F2 belongs to the list unless something is being typed.
     let wants = !ui.ctx().text_edit_focused() && ui.ctx().memory(|m| m.top_modal_layer().is_none());
-    if wants && ui.input_mut(|i| i.consume_key(Modifiers::NONE, Key::F2))
+    if wants
+        && ui.input_mut(|i| i.consume_key(Modifiers::NONE, Key::F2))
         && let Some(last) = document.selection().last()
     {
         state.rename(last);
@@ -86,7 +89,8 @@ fn row_ui(
     let name = row.thing.name().map_or_else(|| tr!("list-camera"), str::to_owned);
     let eye_width = sizes.control;
     let body = Rect::from_min_max(pos2(rect.left() + eye_width, rect.top()), rect.max);
-    let response = ui.interact(body, ui.id().with(("row", &row.thing.list().map(|l| l.key()), &name)), Sense::click());
+    let response =
+        ui.interact(body, ui.id().with(("row", &row.thing.list().map(|l| l.key()), &name)), Sense::click());
     let fill = match (is_selected, response.hovered()) {
         (true, _) => Some(theme.selection),
         (false, true) => Some(theme.raised),
@@ -122,8 +126,9 @@ fn row_ui(
     let at = pos2(text_rect.left(), text_rect.center().y - galley.size().y / 2.0);
     ui.painter().galley(at, galley, color);
     let is_enabled = ui.is_enabled();
-    response
-        .widget_info(|| WidgetInfo::selected(WidgetType::SelectableLabel, is_enabled, is_selected, name.as_str()));
+    response.widget_info(|| {
+        WidgetInfo::selected(WidgetType::SelectableLabel, is_enabled, is_selected, name.as_str())
+    });
     let tooltip = if row.thing == Thing::Camera { tr!("list-row-camera") } else { tr!("list-select") };
     answer(ui, &response, row, rows, (state, actions));
     context_ui(&response, document, row, (state, actions));
@@ -135,7 +140,8 @@ fn eye_ui(ui: &mut Ui, rect: Rect, row: &Row, name: &str, actions: &mut Actions)
     let Some(visible) = row.visible else { return };
     let sizes = &theme::of(ui).sizes;
     let place = Rect::from_min_size(rect.min, vec2(sizes.control, rect.height()));
-    let mut eye = ui.new_child(egui::UiBuilder::new().max_rect(place).layout(Layout::left_to_right(Align::Center)));
+    let mut eye =
+        ui.new_child(egui::UiBuilder::new().max_rect(place).layout(Layout::left_to_right(Align::Center)));
     let (icon, key) = if visible { (icons::SHOWN, "list-hide") } else { (icons::HIDDEN, "list-show") };
     let tooltip = tr!(&format!("{key}.tooltip"));
     if icon_toggle(&mut eye, icon, visible, &tr!(key, name = name), &tooltip).clicked() {
@@ -148,8 +154,11 @@ fn eye_ui(ui: &mut Ui, rect: Rect, row: &Row, name: &str, actions: &mut Actions)
 fn fold_ui(ui: &mut Ui, at: egui::Pos2, row: &Row, name: &str, state: &mut ListState) {
     let sizes = &theme::of(ui).sizes;
     let place = Rect::from_center_size(pos2(at.x + sizes.icon / 2.0, at.y), egui::Vec2::splat(sizes.icon));
-    let (icon, key) =
-        if row.is_closed { (icons::OPEN_RIGHT, "list-open-group") } else { (icons::OPEN_DOWN, "list-close-group") };
+    let (icon, key) = if row.is_closed {
+        (icons::OPEN_RIGHT, "list-open-group")
+    } else {
+        (icons::OPEN_DOWN, "list-close-group")
+    };
     let response = ui.interact(place, ui.id().with(("fold", name)), Sense::click());
     let color = theme::of(ui).text_muted;
     ui.painter().text(place.center(), Align2::CENTER_CENTER, icon, theme::icon_font(sizes.text_small), color);
@@ -222,12 +231,18 @@ fn answer(
 }
 
 /// The menu of a row.
-fn context_ui(response: &Response, document: &Document, row: &Row, (state, actions): (&mut ListState, &mut Actions)) {
+fn context_ui(
+    response: &Response,
+    document: &Document,
+    row: &Row,
+    (state, actions): (&mut ListState, &mut Actions),
+) {
     if row.thing == Thing::Camera {
         return;
     }
     let selection = document.selection();
-    let things = if selection.contains(&row.thing) { selection.things().to_vec() } else { vec![row.thing.clone()] };
+    let things =
+        if selection.contains(&row.thing) { selection.things().to_vec() } else { vec![row.thing.clone()] };
     Popup::context_menu(response).show(|ui| {
         let mut entry = |ui: &mut Ui, key: &str, id: &str, action: Option<Action>| {
             let keys = shortcuts::shortcut(id).map(|s| s.keys_text(ui.ctx())).unwrap_or_default();
@@ -276,7 +291,11 @@ fn foot_ui(ui: &mut Ui, document: &Document, actions: &mut Actions) {
         ui.add_enabled_ui(!things.is_empty(), |ui| {
             let tools = [
                 (icons::EDIT, "list-edit", things.last().cloned().map(Action::EditDialog)),
-                (icons::DUPLICATE, "list-duplicate", Some(Action::Edit(EditCommand::Duplicate(things.clone())))),
+                (
+                    icons::DUPLICATE,
+                    "list-duplicate",
+                    Some(Action::Edit(EditCommand::Duplicate(things.clone()))),
+                ),
                 (icons::DELETE, "list-delete", Some(Action::Edit(EditCommand::Delete(things.clone())))),
             ];
             for (icon, key, action) in tools {

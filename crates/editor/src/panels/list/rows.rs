@@ -41,9 +41,13 @@ pub fn rows(scene: &Scene, closed: &HashSet<String>, search: &str) -> Vec<Row> {
         }
     } else {
         rows.extend(scene.groups.iter().map(|g| row(Thing::group(&*g.name), 0, "group", Some(g.visible))));
-        rows.extend(scene.objects.iter().map(|o| row(Thing::object(&*o.name), 0, o.shape.kind(), Some(o.visible))));
+        rows.extend(
+            scene.objects.iter().map(|o| row(Thing::object(&*o.name), 0, o.shape.kind(), Some(o.visible))),
+        );
     }
-    rows.extend(scene.lights.iter().map(|l| row(Thing::light(&*l.name), 0, l.source.kind(), Some(l.visible))));
+    rows.extend(
+        scene.lights.iter().map(|l| row(Thing::light(&*l.name), 0, l.source.kind(), Some(l.visible))),
+    );
     if search.trim().is_empty() {
         rows.push(row(Thing::Camera, 0, "camera", None));
     } else {
@@ -78,7 +82,12 @@ impl<'a> Tree<'a> {
             self.group(&inner.name, depth);
         }
         for object in scene.objects.iter().filter(|o| is_in(&o.group)) {
-            self.rows.push(row(Thing::object(&*object.name), depth, object.shape.kind(), Some(object.visible)));
+            self.rows.push(row(
+                Thing::object(&*object.name),
+                depth,
+                object.shape.kind(),
+                Some(object.visible),
+            ));
         }
     }
 
