@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::accel::tree::{Node, WIDTH};
-use vitrine_math::{Mat3, Ray, Vec3, hash};
+use vitrine_math::{Mat3, Ray, Transform, Vec3, hash};
 
 /// Numbers from −1 to 1.
 pub(super) struct Numbers(pub u32);
@@ -76,6 +76,15 @@ pub(super) fn scene(seed: u32) -> Accel {
         p.materials[primitive as usize] = MaterialSlots { first: 0, by_triangle: k > 0 };
         let instance = Instance { mesh_from_world: world.inverse(), mesh: mesh.clone(), primitive };
         p.instances.push((instance, around(center, 2.0 * 1.4 * 3.0_f32.sqrt())));
+    }
+    for _ in 0..20 {
+        let turn = vitrine_math::rotation_from_turn(numbers.vector() * 180.0);
+        let size = Vec3::splat(0.2) + numbers.vector().abs();
+        let center = numbers.vector() * 5.0;
+        let world = Affine3A::from_mat3_translation(turn * Mat3::from_diagonal(size), center);
+        let unit = Transform { world_from_object: world, object_from_world: world.inverse() };
+        let disc = Disc::new(&unit, id(&mut p));
+        p.discs.push((disc, around(center, size.length())));
     }
     Accel::new(p, vec![0.0, 0.25, 0.5])
 }
