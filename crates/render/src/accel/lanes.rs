@@ -148,6 +148,7 @@ fn one_by_one<S: Rays, R: Receive<S>>(
             o: splat3(e, [o[x][lane], o[y][lane], o[z][lane]]),
             d: splat3(e, [d[x][lane], d[y][lane], d[z][lane]]),
             slope: [e.splat(d[x][lane] * slope), e.splat(d[y][lane] * slope)],
+            inv: splat3(e, [inv[x][lane], inv[y][lane], slope]),
         };
         let Some((mut bits, hits)) = leaf.crossed(e, &ray, axis, s.lane(receive.t_max(s), lane)) else {
             continue;

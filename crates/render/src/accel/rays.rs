@@ -12,7 +12,7 @@ use super::tree::{Child, Node};
 /// Rays in lanes, as far as single rays and packets differ.
 ///
 /// What a ray meets does not depend on which of them does it: tests have the same digits, and a hit counts exactly if the ray
-/// enters the leaf's box by [`Packet::meets_box`].
+/// enters the leaf's box, and a triangle's own box, by [`Packet::meets_box`].
 pub trait Rays: Simd {
     /// A vector unit of eight lanes.
     type Eight: Simd;

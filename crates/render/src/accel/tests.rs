@@ -22,6 +22,11 @@ pub(super) fn around(center: Vec3, radius: f32) -> Bounds3 {
     Bounds3 { min: center - Vec3::splat(radius), max: center + Vec3::splat(radius) }
 }
 
+/// Fewer where each costs much: under Miri.
+pub(super) const fn few(count: usize) -> usize {
+    if cfg!(miri) { count.div_ceil(50) } else { count }
+}
+
 /// A mesh of triangles that share no corners.
 pub(super) fn mesh(corners: &[[Vec3; 3]], slots: Vec<u16>) -> MeshAccel {
     let triangles: Vec<_> = (0..corners.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
@@ -145,12 +150,12 @@ fn transmittance(accel: &Accel, rays: &RayStream) -> Vec<f32> {
 
 #[test]
 fn the_tree_changes_no_hit_and_no_shadow() {
-    for seed in 0..6 {
+    for seed in (0..6).take(few(6)) {
         let (tree, all) = (scene(seed), without_tree(scene(seed)));
-        let rays = rays(seed, 3000);
+        let rays = rays(seed, few(3000));
         let hits = closest(&tree, &rays);
         assert_eq!(hits, closest(&all, &rays));
-        assert!(hits.iter().flatten().count() > 1000, "the test must test something");
+        assert!(hits.iter().flatten().count() > hits.len() / 3, "the test must test something");
         let a = transmittance(&tree, &rays);
         assert_eq!(a, transmittance(&all, &rays));
         assert!(a.iter().any(|t| *t > 0.0 && *t < 1.0) && a.contains(&0.0) && a.contains(&1.0));
@@ -160,10 +165,10 @@ fn the_tree_changes_no_hit_and_no_shadow() {
 /// Single rays, whole packets and packets that fall apart must find the same.
 #[test]
 fn single_rays_find_what_packets_find() {
-    for seed in 20..24 {
+    for seed in (20..24).take(few(4)) {
         for set in Instructions::available() {
             let accel = scene(seed).with_instructions(set);
-            let stream = rays(seed, 3000);
+            let stream = rays(seed, few(3000));
             let alone: Vec<_> = (0..stream.len()).map(|i| stream.get(i)).collect();
             let mut hits = vec![None; alone.len()];
             accel.closest_each(&alone, &mut hits);
@@ -183,11 +188,11 @@ fn single_rays_find_what_packets_find() {
 
 #[test]
 fn every_instruction_set_gives_the_same_bits() {
-    for seed in 10..14 {
+    for seed in (10..14).take(few(4)) {
         let mut results = Vec::new();
         for set in Instructions::available() {
             let accel = scene(seed).with_instructions(set);
-            let rays = rays(seed, 2000);
+            let rays = rays(seed, few(2000));
             results.push((closest(&accel, &rays), transmittance(&accel, &rays)));
         }
         assert!(results.iter().all(|r| *r == results[0]));
@@ -198,7 +203,7 @@ fn every_instruction_set_gives_the_same_bits() {
 #[test]
 fn going_on_after_each_hit_meets_what_the_shadow_ray_crosses() {
     let accel = scene(3);
-    let rays = rays(5, 500);
+    let rays = rays(5, few(500));
     for (i, passes) in transmittance(&accel, &rays).iter().enumerate() {
         let mut one = RayStream::default();
         one.push(&rays.get(i));
@@ -297,7 +302,7 @@ fn net() -> (Accel, Vec<Ray>) {
         p.materials.push(MaterialSlots { first: 0, by_triangle: false });
     }
     let mut numbers = Numbers(77);
-    let rays = (0..6000_u32).map(|k| {
+    let rays = (0..few(6000) as u32).map(|k| {
         let at = turn * (knot(k % 20, k / 20 % 20) + Vec3::new(if k % 3 == 0 { 0.5 } else { 0.0 }, 0.0, 0.0));
         let origin = numbers.vector() * 30.0;
         Ray::new(origin, (at - origin).normalize())
@@ -318,10 +323,12 @@ fn a_hit_does_not_depend_on_the_rays_beside_it() {
     };
     let in_order: Vec<_> = (0..rays.len()).collect();
     let hits = trace(&in_order);
-    assert!(hits.iter().flatten().count() > 5000);
+    assert!(hits.iter().flatten().count() > hits.len() * 5 / 6);
     for step in [7, 11, 1201, 3001] {
         let other: Vec<_> = (0..rays.len()).map(|i| i * step % rays.len()).collect();
         let differ = trace(&other).iter().zip(&hits).filter(|(a, b)| a != b).count();
         assert_eq!(differ, 0, "of {} rays", rays.len());
     }
 }
+
+mod edge_on;

@@ -5,7 +5,7 @@
 //! an edge and has the same digits for both triangles at that edge, so a ray passes between no two of them. (Products
 //! are not fused with differences: that would give the two triangles different digits.)
 
-use crate::accel::packet::{cross, dot, sub3};
+use crate::accel::packet::{FAR_ROUNDED_UP, cross, dot, sub3};
 use crate::accel::simd::Simd;
 use vitrine_math::Vec3;
 
@@ -77,6 +77,8 @@ pub struct Sheared<S: Simd> {
     pub d: [S::F; 3],
     /// d\[0\]/d\[2\], d\[1\]/d\[2\]
     pub slope: [S::F; 2],
+    /// 1/d, as for boxes.
+    pub inv: [S::F; 3],
 }
 
 /// The order of the components for an axis.
@@ -97,6 +99,10 @@ pub fn fastest_axis([x, y, z]: [f32; 3]) -> usize {
 
 /// Where the rays cross the triangle, from either side; None when no lane does. The corners' components stand in the
 /// order of the shear. A ray in the triangle's plane divides 0 by 0: comparisons with what comes of it are false.
+///
+/// A triangle seen nearly from its edge has areas and a distance that are all rounding. So a crossing counts only within the
+/// triangle's own box, whose test has the same digits as that of boxes in trees ([`Entry`](crate::accel::packet::Entry)). A
+/// packet may thus leave out triangles whose boxes it does not meet: no ray of it would have hit them alone.
 #[inline(always)]
 pub fn crossing<S: Simd>(
     s: S,
@@ -123,10 +129,29 @@ pub fn crossing<S: Simd>(
     if !s.any(mask) {
         return None;
     }
-    let inverse = s.div(s.splat(1.0), s.add(s.add(u, v), w));
+    let area = s.add(s.add(u, v), w);
+    let [near, far] = passage(s, ray, [&a, &b, &c]);
+    let in_box = s.le(near, s.mul(far, s.splat(FAR_ROUNDED_UP)));
+    let mask = s.and(mask, s.and(in_box, s.lt(zero, s.abs(area))));
+    let inverse = s.div(s.splat(1.0), area);
     // The distance to the triangle's plane, ⟨n, a⟩/⟨n, d⟩: of a large triangle near the ray's start it has more digits than
     // the corners' depths, mixed, would give.
     let n = cross(s, &sub3(s, &corners[1], &corners[0]), &sub3(s, &corners[2], &corners[0]));
     let t = s.div(dot(s, &n, &a), dot(s, &n, &ray.d));
+    // No nearer than where the ray enters the box and no farther than where it leaves. In this order NaN stays.
+    let t = s.max(near, s.min(far, t));
     Some(Crossing { mask, t, u: s.mul(v, inverse), v: s.mul(w, inverse) })
+}
+
+/// Where the rays enter and leave the box around three points, given from their origins.
+#[inline(always)]
+fn passage<S: Simd>(s: S, ray: &Sheared<S>, [a, b, c]: [&[S::F; 3]; 3]) -> [S::F; 2] {
+    let (mut near, mut far) = (s.splat(f32::NEG_INFINITY), s.splat(f32::INFINITY));
+    for k in 0..3 {
+        // Rounding keeps order: the least of these products is that of the side of the box.
+        let (a, b, c) = (s.mul(a[k], ray.inv[k]), s.mul(b[k], ray.inv[k]), s.mul(c[k], ray.inv[k]));
+        near = s.max(near, s.min(s.min(a, b), c));
+        far = s.min(far, s.max(s.max(a, b), c));
+    }
+    [near, far]
 }

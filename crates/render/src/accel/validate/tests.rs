@@ -3,16 +3,11 @@
 use super::*;
 use crate::accel::primitives::plane::Plane;
 use crate::accel::primitives::sphere::Sphere;
-use crate::accel::tests::{Numbers, around, mesh, scene};
+use crate::accel::tests::{Numbers, around, few, mesh, scene};
 use crate::accel::tree::{Child, Node, STACK, WIDTH};
 use crate::accel::{Instance, MaterialSlots, Primitives};
 use proptest::prelude::*;
 use vitrine_math::{Affine3A, Mat3, Transform};
-
-/// Fewer where each costs much.
-const fn few(count: usize) -> usize {
-    if cfg!(miri) { count.div_ceil(200) } else { count }
-}
 
 fn corners_at(at: Vec3, size: f32) -> [Vec3; 3] {
     [at, at + Vec3::new(size, 0.0, 0.0), at + Vec3::new(0.0, size, 0.0)]
