@@ -166,9 +166,8 @@ impl Collection {
         };
         let (is_near, is_wide) = match &form {
             Form::Plane { point, n } => (is_near_enough(&Bounds3::around([*point])) && n.is_finite(), true),
-            Form::Box { unit } | Form::Ellipsoid { unit } | Form::Disc { unit, .. } => {
-                (true, is_wide_enough(unit))
-            }
+            Form::Disc { unit, n } => (true, is_wide_enough(unit) && n.is_finite()),
+            Form::Box { unit } | Form::Ellipsoid { unit } => (true, is_wide_enough(unit)),
             Form::Sphere { .. } | Form::Triangle { .. } | Form::Mesh { .. } => (true, true),
         };
         let object = || object.name.clone();
@@ -214,7 +213,8 @@ impl Collection {
     }
 
     fn disc(&mut self, radius: f32, transform: &Transform) -> (Form, Bounds3) {
-        let unit = transform.after(&Transform::from_place(Vec3::ZERO, Vec3::ZERO, Vec3::splat(radius)));
+        let size = Vec3::new(radius, 1.0, radius);
+        let unit = transform.after(&Transform::from_place(Vec3::ZERO, Vec3::ZERO, size));
         let (disc, bounds) = (Disc::new(&unit, self.next_id()), disc_bounds(&unit));
         self.collected.discs.push((disc, bounds));
         (Form::Disc { unit, n: disc.n.into() }, bounds)
@@ -271,7 +271,9 @@ fn unit_bounds(unit: &Transform) -> Bounds3 {
 /// The box around the disc y = 0, x² + z² ≤ 1 of a space.
 fn disc_bounds(unit: &Transform) -> Bounds3 {
     let m = &unit.world_from_object;
-    let (x, z, center) = (m.matrix3.x_axis, m.matrix3.z_axis, Vec3::from(m.translation));
+    // No number where the space is stretched too much across the disc, which its box does not show else.
+    let center = unit.point(Vec3::ZERO);
+    let (x, z) = (m.matrix3.x_axis, m.matrix3.z_axis);
     // x·cos φ + z·sin φ is at most √(x² + z²).
     let reach = Vec3::from_array([0, 1, 2].map(|k| libm::hypotf(x[k], z[k])));
     Bounds3 { min: center - reach, max: center + reach }
