@@ -42,3 +42,18 @@ pub fn settled<T: Copy>(values: &[T]) -> Vec<T> {
     room.extend_from_slice(values);
     room
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rooms_of_any_size_hold_what_is_put_into_them() {
+        for count in [0, 1, 1000, (1 << 18) + 1, 1 << 20] {
+            let mut room = with_capacity::<u64>(count);
+            assert!(room.is_empty() && room.capacity() >= count);
+            room.extend([7, 8, 9]);
+            assert_eq!(settled(&room), [7, 8, 9]);
+        }
+    }
+}

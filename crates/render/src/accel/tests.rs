@@ -24,7 +24,7 @@ pub(super) fn around(center: Vec3, radius: f32) -> Bounds3 {
 
 /// Fewer where each costs much: under Miri.
 pub(super) const fn few(count: usize) -> usize {
-    if cfg!(miri) { count.div_ceil(50) } else { count }
+    if cfg!(miri) { count.div_ceil(100) } else { count }
 }
 
 /// A mesh of triangles that share no corners.
@@ -286,8 +286,9 @@ fn a_ray_that_ends_before_it_begins_finds_nothing() {
 fn net() -> (Accel, Vec<Ray>) {
     let turn = vitrine_math::rotation_from_turn(Vec3::new(30.0, 40.0, 10.0));
     let knot = |i: u32, j: u32| Vec3::new(i as f32, 0.0, j as f32) - Vec3::new(10.0, 0.0, 10.0);
+    let side = if cfg!(miri) { 4 } else { 20 };
     let mut triangles = Vec::new();
-    for (i, j) in (0..20).flat_map(|i| (0..20).map(move |j| (i, j))) {
+    for (i, j) in (0..side).flat_map(|i| (0..side).map(move |j| (i, j))) {
         let [a, b, c, d] = [knot(i, j), knot(i + 1, j), knot(i + 1, j + 1), knot(i, j + 1)];
         triangles.extend([[a, b, c], [a, c, d]]);
     }
@@ -303,7 +304,8 @@ fn net() -> (Accel, Vec<Ray>) {
     }
     let mut numbers = Numbers(77);
     let rays = (0..few(6000) as u32).map(|k| {
-        let at = turn * (knot(k % 20, k / 20 % 20) + Vec3::new(if k % 3 == 0 { 0.5 } else { 0.0 }, 0.0, 0.0));
+        let at = turn
+            * (knot(k % side, k / side % side) + Vec3::new(if k % 3 == 0 { 0.5 } else { 0.0 }, 0.0, 0.0));
         let origin = numbers.vector() * 30.0;
         Ray::new(origin, (at - origin).normalize())
     });
