@@ -4,7 +4,7 @@ use super::beam::{Beam, greatest};
 use super::packet::{Entry, Packet, splat3};
 use super::packet_walk::walk_together;
 use super::primitives::sphere;
-use super::primitives::triangle::{BLOCK_TRIANGLES, Crossing, ORDER, Sheared, crossing, fastest_axis};
+use super::primitives::triangle::{BLOCK_TRIANGLES, Crossing, ORDER, Sheared, fastest_axis, inside, normal};
 use super::rays::{Bundle, Level, Rays, Receive, SphereLeaf, TriangleLeaf};
 #[cfg(target_arch = "x86_64")]
 use super::simd::{Avx2, Avx512};
@@ -104,7 +104,8 @@ where
             let place = near.trailing_zeros() as usize;
             near &= near - 1;
             let corners = [corner(s, a, axis, place), corner(s, b, axis, place), corner(s, c, axis, place)];
-            if let Some(hit) = crossing(s, &ray, &corners, mask) {
+            if let Some(inside) = inside(s, &ray, &corners, mask) {
+                let hit = inside.crossing(s, &ray, &normal(s, &corners));
                 receive.crossing(s, &hit, entry.near, leaf.surface(place));
             }
         }
