@@ -140,8 +140,8 @@ impl<S: Simd> Inside<S> {
     /// false.
     ///
     /// A triangle seen nearly from its edge has areas and a distance that are all rounding. So a crossing counts only within the
-    /// triangle's own box, whose test has the same digits as that of boxes in trees. A
-    /// packet may thus leave out triangles whose boxes it does not meet: no ray of it would have hit them alone.
+    /// triangle's own box, whose test has the same digits as that of boxes in trees. A packet may thus leave out triangles whose
+    /// boxes it does not meet: no ray of it would have hit them alone.
     #[inline(always)]
     pub fn crossing(&self, s: S, ray: &Sheared<S>, n: &[S::F; 3]) -> Crossing<S> {
         let [u, v, w] = self.areas;
