@@ -58,7 +58,7 @@ start_program() {
     program=$!
     pids+=("$program")
     for _ in $(seq 150); do
-        window=$(xdotool search --onlyvisible --pid "$program" 2>/dev/null | tail -1)
+        window=$(xdotool search --onlyvisible --pid "$program" 2>/dev/null | tail -1 || true)
         [ -n "$window" ] && break
         kill -0 "$program" 2>/dev/null || { echo "the program ended: $(cat "$work/out")" >&2; exit 1; }
         sleep 0.1

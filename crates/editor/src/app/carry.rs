@@ -10,7 +10,7 @@ use crate::document::{
 };
 use crate::files::Config;
 use crate::live::{FinalState, Request};
-use crate::text::{self, kind_name, tr};
+use crate::text::{self, tr};
 use crate::theme;
 use eframe::egui::{Context, Event, ViewportCommand};
 use std::path::Path;
@@ -142,7 +142,7 @@ impl Editor {
     /// A new thing with good defaults, where the camera looks, named in the person's language.
     fn new_thing(&self, new: NewThing) -> Addition {
         let (scene, assets) = (self.document.scene(), self.document.assets());
-        let name = free_name(scene, new.list, &kind_name(new.kind_word()));
+        let name = free_name(scene, new.list, &new.name());
         new_thing(scene, assets, new.list, new.kind, Aim::View).named(&name)
     }
 
