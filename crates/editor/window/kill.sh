@@ -15,7 +15,7 @@ for run in $(seq "$times"); do
     mkdir -p "$VITRINE_HOME"
     scene=$VITRINE_HOME/scene.vitrine.toml
     "$vitrine" templates empty -o "$scene" >/dev/null
-    start_program "$scene"
+    start_program edit "$scene"
     end=$(($(now) + 1500 + RANDOM % 14000))
     edits=()
     saves=0

@@ -177,7 +177,7 @@ impl Editor {
             document: &self.document,
             config: &self.config,
             problems: &self.doctor.lines,
-            samples_per_second: self.picture.samples_per_second(),
+            samples_per_second: self.samples_per_second(),
             current: self.current_picture(),
         };
         let reply = dialogs::dialogs_ui(&ctx, &mut self.dialog, &around, &mut self.actions);
