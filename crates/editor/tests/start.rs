@@ -34,7 +34,7 @@ struct Screen {
 
 impl Screen {
     fn new(language: Language) -> Self {
-        let opened = read_template("glass-ball").unwrap();
+        let opened = read_template("glass-ball").expect("the template is carried");
         Self {
             document: Document::untitled(opened.file, opened.assets, std::path::PathBuf::new()),
             strip: MaterialsState::default(),

@@ -1,5 +1,4 @@
 # The list of what is in the scene.
-list-title = Scene
 list-search = Find by name
     .tooltip = Show only what has these letters in its name
 list-show = Show { $name }

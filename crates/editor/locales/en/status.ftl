@@ -6,7 +6,6 @@ status-final = Rendering { $percent } %, { $left } left
 status-final-starting = Rendering { $percent } %
 status-stopped = Stopped at { $percent } %
 status-done = Rendered in { $elapsed }
-status-picture-saved = Picture saved
 status-saved = Saved
 status-unsaved = Not saved yet
 status-changed = Changed

@@ -6,7 +6,6 @@ status-final = Рендер { $percent } %, осталось { $left }
 status-final-starting = Рендер { $percent } %
 status-stopped = Остановлено на { $percent } %
 status-done = Готово за { $elapsed }
-status-picture-saved = Картинка сохранена
 status-saved = Сохранено
 status-unsaved = Ещё не сохранено
 status-changed = Изменено

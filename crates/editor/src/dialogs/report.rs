@@ -2,14 +2,14 @@
 
 use super::Outcome;
 use super::frame::{self, Buttons, Caption, Shell, Verdict};
-use crate::files::{FileProblem, OpenError, TextPlace};
+use crate::files::{FileProblem, OpenError, TextPlace, describe};
 use crate::text::tr;
 use crate::theme::{self, Theme};
 use eframe::egui::text::LayoutJob;
 use eframe::egui::{Context, FontId, Label, ScrollArea, Stroke, TextFormat, TextStyle, Ui};
 use std::ops::Range;
 use std::path::PathBuf;
-use vitrine::formats::{Finding, FormatError, SceneFileError};
+use vitrine::formats::FormatError;
 
 /// What was being done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -84,33 +84,11 @@ impl ErrorReport {
         report
     }
 
-    /// What an error of a file says, with its lines.
+    /// What an error of a file says.
     #[must_use]
     pub fn of_file(failure: Failure, error: &FormatError) -> Self {
-        match error {
-            FormatError::Scene(error) => Self::of_scene(failure, error),
-            FormatError::ModelLine { path, line, reason, help } => {
-                let mut report = Self::new(failure, reason, help);
-                report.path = Some(path.clone());
-                let text = line_of_file(path, *line);
-                let mark = 0..text.len();
-                let (message, help) = (String::new(), String::new());
-                report.lines.push(BadLine { number: *line, text, mark, message, help });
-                report
-            }
-            error => Self::new(failure, error.to_string(), error.help()),
-        }
-    }
-
-    fn of_scene(failure: Failure, error: &SceneFileError) -> Self {
-        let mut report = Self::new(failure, error.to_string(), "");
-        report.path = Some(error.path.clone());
-        report.lines = error.findings.iter().map(|f| bad_line(&error.text, f)).collect();
-        if let [only] = &mut report.lines[..] {
-            report.message = std::mem::take(&mut only.message);
-            report.help = std::mem::take(&mut only.help);
-        }
-        report
+        let (message, help) = describe(error);
+        Self::new(failure, message, help)
     }
 
     /// All of it as a text.
@@ -209,27 +187,6 @@ fn marked(line: &BadLine, font: &FontId, theme: &Theme) -> LayoutJob {
     job
 }
 
-fn bad_line(text: &str, finding: &Finding) -> BadLine {
-    let at = text.floor_char_boundary(finding.span.start.min(text.len()));
-    let start = text[..at].rfind('\n').map_or(0, |i| i + 1);
-    let end = text[at..].find('\n').map_or(text.len(), |i| at + i);
-    let line = text[start..end].trim_end_matches('\r');
-    let mark = at - start..finding.span.end.saturating_sub(start).min(line.len());
-    let number = text[..at].matches('\n').count() + 1;
-    let (message, help) = (finding.message.clone(), finding.help.clone());
-    BadLine { number, text: line.to_owned(), mark, message, help }
-}
-
-/// The line of a text file, if it can be read and is not absurdly long.
-fn line_of_file(path: &std::path::Path, number: usize) -> String {
-    use std::io::{BufRead as _, BufReader, Read as _};
-    const MOST: u64 = 1 << 24;
-    let Ok(file) = std::fs::File::open(path) else { return String::new() };
-    let mut lines = BufReader::new(file.take(MOST)).lines();
-    let line = lines.nth(number.saturating_sub(1)).and_then(Result::ok).unwrap_or_default();
-    line.chars().take(400).collect()
-}
-
 /// With a capital letter and a full stop, as a sentence in a window stands.
 fn sentence(text: &str) -> String {
     let mut chars = text.chars();
@@ -241,40 +198,67 @@ fn sentence(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use vitrine::scene::Severity;
+    use crate::files::{read_model, read_scene};
+    use std::path::Path;
 
-    fn finding(span: Range<usize>) -> Finding {
-        let word = |text: &str| text.to_owned();
-        Finding {
-            severity: Severity::Error,
-            message: word("unknown key `raduis`"),
-            label: word("not known"),
-            help: word("did you mean `radius`?"),
-            span,
-        }
+    /// What is reported of a scene with this text.
+    fn report_of(folder: &Path, text: &str) -> ErrorReport {
+        let path = folder.join("ball.vitrine.toml");
+        std::fs::write(&path, text).unwrap();
+        let report = ErrorReport::of_open(Failure::Scene, &read_scene(&path).unwrap_err());
+        assert_eq!(report.path, Some(path));
+        report
     }
 
     #[test]
-    fn the_line_is_found_with_its_number_and_mark() {
-        let text = "format = 1\r\n[[object]]\r\nraduis = 2\r\n";
-        let line = bad_line(text, &finding(24..30));
-        assert_eq!((line.number, line.text.as_str(), line.mark), (3, "raduis = 2", 0..6));
-        let last = bad_line("a\nb", &finding(3..9));
-        assert_eq!((last.number, last.text.as_str(), last.mark), (2, "b", 1..1));
+    fn a_single_fault_is_the_message_itself_with_its_place_in_bytes() {
+        let folder = tempfile::tempdir().unwrap();
+        let text = "format = 1\r\n[[object]]\r\nshape = \"sphere\"\r\nname = \"мяч\"\r\nraduis = 2\r\n";
+        let report = report_of(folder.path(), text);
+        assert!(report.message.contains("raduis") && report.help.contains("radius"), "{report:?}");
+        let [line] = &report.lines[..] else { panic!("{report:?}") };
+        assert_eq!(
+            (line.number, line.text.as_str(), &line.text[line.mark.clone()]),
+            (5, "raduis = 2", "raduis")
+        );
+        assert!(line.message.is_empty() && line.help.is_empty(), "it stands above");
+        let path = report.path.as_ref().unwrap().display();
+        let all = format!("{}\n{path}\n5: raduis = 2\n{}", report.message, report.help);
+        assert_eq!(report.text(), all);
     }
 
     #[test]
-    fn a_single_finding_is_the_message_itself() {
-        let error = SceneFileError {
-            path: "ball.vitrine.toml".into(),
-            text: "raduis = 2".into(),
-            findings: vec![finding(0..6)],
-            more: 0,
-        };
-        let report = ErrorReport::of_file(Failure::Scene, &FormatError::Scene(Box::new(error)));
-        assert_eq!(report.message, "unknown key `raduis`");
-        let text = "unknown key `raduis`\nball.vitrine.toml\n1: raduis = 2\ndid you mean `radius`?";
-        assert_eq!(report.text(), text);
+    fn each_of_several_faults_stands_at_its_line() {
+        let folder = tempfile::tempdir().unwrap();
+        let text = "format = 1\n[[object]]\nname = \"мяч\" ; \nshape = 1\n";
+        let syntax = report_of(folder.path(), text);
+        assert!(syntax.lines.iter().all(|line| line.text.is_char_boundary(line.mark.end)), "{syntax:?}");
+        let report = report_of(folder.path(), "format = 1\nabuot = \"\"\n[kamera]\n");
+        let numbers: Vec<_> = report.lines.iter().map(|line| line.number).collect();
+        assert_eq!(numbers, [2, 3]);
+        assert!(
+            report.lines.iter().all(|line| !line.message.is_empty()) && report.help.is_empty(),
+            "{report:?}"
+        );
+        assert!(report.message.contains('2'), "it says how many: {}", report.message);
+    }
+
+    #[test]
+    fn a_faulty_line_of_a_model_is_shown_whole() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("broken.obj");
+        std::fs::write(&path, "v 0 0 0\nf 1 2 3\n").unwrap();
+        let error = read_model(&path, Some(folder.path())).unwrap_err();
+        let report = ErrorReport::of_open(Failure::Model, &error);
+        let [line] = &report.lines[..] else { panic!("{report:?}") };
+        assert_eq!((line.number, line.text.as_str(), line.mark.clone()), (2, "f 1 2 3", 0..7));
+    }
+
+    #[test]
+    fn a_file_that_is_not_there_has_no_lines() {
+        let error = read_scene(Path::new("nowhere/none.vitrine.toml")).unwrap_err();
+        let report = ErrorReport::of_open(Failure::Scene, &error);
+        assert!(report.lines.is_empty() && !report.message.is_empty() && !report.help.is_empty());
     }
 
     #[test]

@@ -26,3 +26,4 @@ pub use recovery::{Recovery, recoverable};
 pub use relative::path_in_scene;
 pub use save::{SaveError, SaveRequest, Saved, save};
 pub use task::{Task, TaskState, Wake};
+pub(crate) use wording::describe;

@@ -5,7 +5,7 @@ use std::path::Path;
 use vitrine::formats::FormatError;
 
 /// The message and the help for an error. What a reader says of the inside of a file stays in its own words.
-pub(super) fn describe(error: &FormatError) -> (String, String) {
+pub fn describe(error: &FormatError) -> (String, String) {
     let at = |path: &Path| path.display().to_string();
     match error {
         FormatError::Missing { path } => pair("missing", tr!("files-missing", path = at(path))),

@@ -152,6 +152,9 @@ fn kind_entry_ui(ui: &mut Ui, new: NewThing, action: fn(NewThing) -> Action, act
     describe(response, &name, &tr!("menu-add-tooltip", name = name.as_str()));
 }
 
+/// What a switch does to the settings.
+type Change = fn(&mut Config);
+
 fn view_ui(ui: &mut Ui, around: &Around, actions: &mut Actions) {
     if entry(ui, "menu-frame-all", "frame-all", true) {
         actions.push(Action::Frame(Vec::new()));
@@ -162,7 +165,7 @@ fn view_ui(ui: &mut Ui, around: &Around, actions: &mut Actions) {
     }
     ui.separator();
     let config = around.config;
-    let switches: [(&str, bool, fn(&mut Config)); 2] = [
+    let switches: [(&str, bool, Change); 2] = [
         ("menu-large-text", config.large_text, |c| c.large_text = !c.large_text),
         ("menu-high-contrast", config.high_contrast, |c| c.high_contrast = !c.high_contrast),
     ];

@@ -2,7 +2,6 @@
 
 use crate::support;
 use crate::world::*;
-use eframe::egui::ColorImage;
 use std::path::Path;
 use std::sync::Arc;
 use vitrine::math::Vec3;
@@ -13,7 +12,6 @@ use vitrine_editor::action::{Action, Screen};
 use vitrine_editor::dialogs::*;
 use vitrine_editor::document::{Addition, EditCommand, Thing};
 use vitrine_editor::text::Language;
-use vitrine_editor::theme;
 
 /// A tetrahedron.
 fn loaded_model() -> LoadedModel {
@@ -123,7 +121,7 @@ fn look_over(language: Language, large_text: bool) {
         let mut harness = harness(world);
         let size = if large_text { "-large" } else { "" };
         let name = format!("dialog-{name}-{}{size}", language.tag());
-        if is_pictured(&name) {
+        if support::is_pictured(&name) {
             // Previews are made on threads of their own.
             std::thread::sleep(std::time::Duration::from_millis(500));
             settle(&mut harness);

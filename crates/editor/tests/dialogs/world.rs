@@ -105,8 +105,3 @@ pub fn both(test: impl Fn(Language)) {
 pub fn label(kind: &str, specs: &'static [ParamSpec], key: &str) -> String {
     param_label(kind, specs.iter().find(|s| s.name == key).unwrap())
 }
-
-/// Whether a picture is wanted, for a look by eye: VITRINE_PICTURES is a part of its name.
-pub fn is_pictured(name: &str) -> bool {
-    std::env::var("VITRINE_PICTURES").is_ok_and(|part| name.contains(&part))
-}

@@ -15,6 +15,11 @@ pub use renderer::CpuRenderer;
 use egui_kittest::Harness;
 use std::path::PathBuf;
 
+/// Whether a picture is wanted, for a look by eye: `VITRINE_PICTURES` is a part of its name.
+pub fn is_pictured(name: &str) -> bool {
+    std::env::var("VITRINE_PICTURES").is_ok_and(|part| name.contains(&part))
+}
+
 /// Draws the window into `target/tmp/<name>.png`, for a look by eye.
 pub fn picture<State>(harness: &mut Harness<'_, State>, name: &str) -> PathBuf {
     let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}.png"));

@@ -7,7 +7,7 @@ use vitrine::scene::{Shape, Value};
 
 const MODEL: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
-fn with_model() -> (tempfile::TempDir, Document) {
+pub(super) fn with_model() -> (tempfile::TempDir, Document) {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("one.obj"), MODEL).unwrap();
     let path = folder.path().join("shelf.vitrine.toml");
@@ -16,7 +16,7 @@ fn with_model() -> (tempfile::TempDir, Document) {
     (folder, document)
 }
 
-fn model(file: &str) -> EditCommand {
+pub(super) fn model(file: &str) -> EditCommand {
     let shape = Shape::Mesh(Mesh { file: file.into(), ..Mesh::default() });
     let objects = vec![Object { name: "model".into(), shape, ..Object::default() }];
     EditCommand::Add(Addition { objects, ..Addition::default() })
@@ -80,20 +80,4 @@ fn the_text_keeps_a_persons_remarks() {
     }
     assert!(text.contains("radius = 0.75") && text.contains("\"globe\"") && !text.contains("pane"));
     assert_eq!(SceneFile::parse(Path::new("s"), &text).unwrap().scene(), &**document.scene());
-}
-
-#[test]
-fn in_another_folder_the_text_names_files_anew() {
-    let (_folder, mut document) = with_model();
-    edit(&mut document, model("one.obj"));
-    let text = document.text_with_paths(|path| Path::new("../old").join(path));
-    assert!(text.contains("file = \"../old/one.obj\""), "{text}");
-    let old_folder = document.folder().to_owned();
-    let file = SceneFile::parse(Path::new("s"), &text).unwrap();
-    let scene = document.scene().clone();
-    document.mark_saved("elsewhere/s.vitrine.toml".into(), file, scene.clone());
-    assert_eq!(document.folder(), old_folder, "the scene itself still names files from there");
-    let file = SceneFile::parse(Path::new("s"), &document.text()).unwrap();
-    document.mark_saved("elsewhere/s.vitrine.toml".into(), file, scene);
-    assert_eq!(document.folder(), Path::new("elsewhere"));
 }

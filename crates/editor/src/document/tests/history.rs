@@ -99,41 +99,6 @@ fn an_edit_that_changes_nothing_is_no_step() {
     assert_eq!((document.history().undoable(), document.revision(), document.is_changed()), (0, 0, false));
 }
 
-#[test]
-fn there_is_nothing_to_save_when_everything_is_as_it_was_saved() {
-    let mut document = shelf();
-    document.apply(radius(2.0)).unwrap();
-    assert!(document.is_changed());
-    document.undo();
-    assert!(!document.is_changed());
-    document.redo();
-    let scene = document.scene().clone();
-    let file = SceneFile::parse(Path::new("s"), &document.text()).unwrap();
-    document.mark_saved("folder/s.vitrine.toml".into(), file, scene);
-    assert!(!document.is_changed());
-    assert_eq!(document.title().as_deref(), Some("s.vitrine.toml"));
-    document.undo();
-    assert!(document.is_changed());
-    // By hand instead of by redoing.
-    document.apply(radius(2.0)).unwrap();
-    assert!(!document.is_changed());
-    document.mark_unsaved();
-    assert!(document.is_changed());
-}
-
-#[test]
-fn what_was_edited_while_it_was_saved_is_still_to_save() {
-    let mut document = shelf();
-    document.apply(radius(2.0)).unwrap();
-    let (scene, text) = (document.scene().clone(), document.text());
-    document.apply(radius(3.0)).unwrap();
-    let file = SceneFile::parse(Path::new("s"), &text).unwrap();
-    document.mark_saved("s.vitrine.toml".into(), file, scene);
-    assert!(document.is_changed());
-    document.undo();
-    assert!(!document.is_changed());
-}
-
 fn many(count: usize) -> Document {
     let name =
         |i: usize| format!("[[object]]\nname = \"o{i}\"\nshape = \"sphere\"\nposition = [{i}.0, 0.0, 0.0]\n");

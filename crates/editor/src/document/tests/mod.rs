@@ -5,6 +5,7 @@ mod defaults;
 mod dice;
 mod files;
 mod history;
+mod saving;
 
 use super::*;
 use vitrine::math::Vec3;

@@ -16,6 +16,7 @@ use eframe::egui::{
     TextEdit, Ui, WidgetInfo, WidgetType, pos2, vec2,
 };
 use std::collections::HashSet;
+use vitrine::scene::ListName;
 
 /// What the list remembers between frames.
 #[derive(Debug, Default)]
@@ -90,7 +91,7 @@ fn row_ui(
     let eye_width = sizes.control;
     let body = Rect::from_min_max(pos2(rect.left() + eye_width, rect.top()), rect.max);
     let response =
-        ui.interact(body, ui.id().with(("row", &row.thing.list().map(|l| l.key()), &name)), Sense::click());
+        ui.interact(body, ui.id().with(("row", &row.thing.list().map(ListName::key), &name)), Sense::click());
     let fill = match (is_selected, response.hovered()) {
         (true, _) => Some(theme.selection),
         (false, true) => Some(theme.raised),
@@ -101,7 +102,7 @@ fn row_ui(
     }
     eye_ui(ui, rect, row, &name, actions);
     let mut left = body.left() + row.depth as f32 * sizes.gap_l;
-    if row.thing.list() == Some(vitrine::scene::ListName::Group) {
+    if row.thing.list() == Some(ListName::Group) {
         fold_ui(ui, pos2(left, body.center().y), row, &name, state);
         left += sizes.icon;
     }
@@ -268,7 +269,7 @@ fn context_ui(
         entry(ui, "menu-drop", "drop", edit(EditCommand::DropToFloor));
         ui.separator();
         entry(ui, "menu-group", "group", edit(EditCommand::Group));
-        if row.thing.list() == Some(vitrine::scene::ListName::Group) {
+        if row.thing.list() == Some(ListName::Group) {
             entry(ui, "menu-ungroup", "ungroup", edit(EditCommand::Ungroup));
         }
     });
