@@ -16,7 +16,7 @@ for run in $(seq "$times"); do
     scene=$VITRINE_HOME/scene.vitrine.toml
     "$vitrine" templates empty -o "$scene" >/dev/null
     start_program edit "$scene"
-    end=$(($(now) + 1500 + RANDOM % 14000))
+    end=$(($(now) + 1500 + RANDOM % 24000))
     edits=()
     saves=0
     while [ "$(now)" -lt "$end" ]; do

@@ -21,6 +21,8 @@ use vitrine::scene::{ListName, Scene, Shape, Value};
 pub struct Scenes {
     opening: Option<Task<Result<Opened, OpenError>>>,
     saving: Option<Saving>,
+    /// Where to save once more when that is done: two writers of one file would take each other for another program.
+    save_again: Option<PathBuf>,
     adding: Option<(Task<Result<NewAsset, OpenError>>, Addend)>,
     /// What the scene's file said last.
     seen: Option<Seen>,
@@ -163,6 +165,10 @@ impl Editor {
     }
 
     fn write(&mut self, path: PathBuf, seen: Option<Seen>) {
+        if self.scenes.saving.is_some() {
+            self.scenes.save_again = Some(path);
+            return;
+        }
         let scene = self.document.scene().clone();
         let request = SaveRequest {
             scene: scene.clone(),
@@ -243,6 +249,7 @@ impl Editor {
             }
         };
         let Some(Saving { path, scene, .. }) = self.scenes.saving.take() else { return };
+        let again = self.scenes.save_again.take();
         match answer {
             Ok(saved) => {
                 self.scenes.seen = Some(saved.seen.clone());
@@ -250,6 +257,10 @@ impl Editor {
                 self.recent.add(&path);
                 self.keep_recent();
                 self.forget_autosave();
+                if let Some(path) = again {
+                    self.save_to(path);
+                    return;
+                }
                 self.notices.success(tr!("app-saved", name = self.document.title().unwrap_or_default()));
                 self.actions.extend(self.scenes.after_save.take());
             }
