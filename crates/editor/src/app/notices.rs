@@ -31,6 +31,8 @@ impl Notices {
     /// Something went well.
     pub fn success(&mut self, text: impl Into<String>) {
         let text = self.note(text.into());
+        // Of several things that went well the last one tells enough.
+        self.toasts.dismiss_all_toasts();
         self.toasts.success(text).duration(Duration::from_secs(4));
     }
 
