@@ -18,4 +18,4 @@ pub mod theme;
 pub mod viewport;
 pub mod widgets;
 
-pub use app::{Editor, LaunchError, Pace, WINDOW_SIZE, run};
+pub use app::{Editor, LaunchError, Pace, WINDOW_SIZE, run, window_builder};
