@@ -21,4 +21,4 @@ pub mod widgets;
 /// What the window is made with, for whoever drives it.
 pub use eframe::egui;
 
-pub use app::{Editor, LaunchError, Pace, WINDOW_SIZE, run};
+pub use app::{Editor, LaunchError, Pace, WINDOW_SIZE, run, window_builder};

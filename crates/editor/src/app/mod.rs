@@ -10,7 +10,7 @@ mod picture;
 mod recovery;
 mod scenes;
 
-pub use launch::{LaunchError, WINDOW_SIZE, run};
+pub use launch::{LaunchError, WINDOW_SIZE, run, window_builder};
 
 use crate::action::{Action, Actions};
 use crate::dialogs::tour::{Tour, TourFacts};
