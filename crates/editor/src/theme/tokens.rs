@@ -275,6 +275,9 @@ impl Theme {
     }
 }
 
+/// What a picture is multiplied by to be shown as it is.
+pub const UNTINTED: Color32 = Color32::WHITE;
+
 /// A colour of the scene's, as it is shown: each component 0 to 1, with the display's curve.
 #[must_use]
 pub fn shown(srgb: [f32; 3]) -> Color32 {

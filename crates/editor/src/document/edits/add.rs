@@ -75,7 +75,8 @@ impl Draft<'_> {
             })
             .collect();
         // A new thing's own material is its own, however much it is like another's.
-        let is_own = |name: &str| objects.iter().any(|o| o.name == name && o.material.as_deref() == Some(name));
+        let is_own =
+            |name: &str| objects.iter().any(|o| o.name == name && o.material.as_deref() == Some(name));
         let to = (&mut self.scene.materials, &mut arrived.materials);
         let new_materials = share(materials, to, &mut names, is_own);
 
