@@ -8,7 +8,7 @@ use crate::dialogs::{Around, Browse, CurrentPicture, Dialog, Reply, ThingDialog}
 use crate::document::{
     Addition, Aim, CameraMove, EditCommand, Thing, bounds_of, bounds_of_all, copy, free_name, new_thing,
 };
-use crate::files::Config;
+use crate::files::{Config, file_name};
 use crate::live::{FinalState, Request};
 use crate::text::{self, tr};
 use crate::theme;
@@ -240,7 +240,7 @@ impl Editor {
                 self.chooser.open(Purpose::LoadTexture, folder.as_deref(), "");
             }
             Reply::Browse(Browse::SavePicture(path)) => {
-                let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+                let name = file_name(&path);
                 self.chooser.open(Purpose::SavePicture, path.parent(), &name);
             }
             Reply::SaveThen(action) => self.save_then(*action),

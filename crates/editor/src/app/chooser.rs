@@ -1,5 +1,6 @@
 //! Choosing a file: what for, from which folder, with which endings.
 
+use crate::files::file_name;
 use crate::text::tr;
 use eframe::egui;
 use egui_file_dialog::{DialogState, FileDialog, FileDialogLabels, Filter, OpeningMode};
@@ -86,7 +87,7 @@ fn dialog_for(purpose: Purpose) -> FileDialog {
         .show_removable_devices(false);
     let ending = |ends: &'static [&'static str]| {
         Filter::new(move |path: &Path| {
-            let name = path.file_name().unwrap_or_default().to_string_lossy().to_lowercase();
+            let name = file_name(path).to_lowercase();
             ends.iter().any(|end| name.ends_with(end))
         })
     };

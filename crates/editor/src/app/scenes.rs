@@ -6,7 +6,7 @@ use crate::action::Action;
 use crate::dialogs::{Changed, Dialog, ErrorReport, Failure, LoadedModel, ModelDialog, Unsaved};
 use crate::document::{Addition, Document, EditCommand, Paint, Thing, cover, free_name};
 use crate::files::{
-    NewAsset, OpenError, Opened, SaveError, SaveRequest, Saved, Seen, Task, TaskState, read_model,
+    NewAsset, OpenError, Opened, SaveError, SaveRequest, Saved, Seen, Task, TaskState, file_name, read_model,
     read_picture, read_scene, read_template, save,
 };
 use crate::panels::list::ListState;
@@ -389,7 +389,7 @@ impl Editor {
 
 /// Scenes end in `.vitrine.toml`.
 fn with_ending(path: PathBuf) -> PathBuf {
-    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let name = file_name(&path);
     if name.to_lowercase().ends_with(".toml") {
         path
     } else {

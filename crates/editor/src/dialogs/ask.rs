@@ -3,10 +3,11 @@
 use super::frame::{self, Buttons, Caption, Shell, Verdict};
 use super::{Outcome, Reply};
 use crate::action::Action;
+use crate::files::file_name;
 use crate::text::tr;
 use crate::theme;
 use eframe::egui::{Context, Ui};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Changes would be lost.
 #[derive(Clone, Debug, PartialEq)]
@@ -64,8 +65,4 @@ impl Changed {
 fn question(ctx: &Context, [id, title]: [&'static str; 2], body: impl FnOnce(&mut Ui) -> Buttons) -> Verdict {
     let width = theme::of(ctx).sizes.dialog_width;
     frame::show(ctx, Shell { id, title: &tr!(title), width }, body)
-}
-
-fn file_name(path: &Path) -> String {
-    path.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }

@@ -183,3 +183,23 @@ fn missing_files_and_warnings_of_models_are_lines() {
     assert_eq!(lines[0].message, Message::new("problem-missing-model").with("path", "m.obj"));
     assert_eq!(lines[0].things, [Thing::object("model")]);
 }
+
+#[test]
+fn shares_of_black_white_and_background_are_counted_as_shown() {
+    let background = Rgb::splat(0.5);
+    // Mid grey is 188 on a screen; one step of rounding is forgiven.
+    let shown = [
+        [0, 0, 0],
+        [4, 4, 4],
+        [5, 0, 0],
+        [255, 255, 255],
+        [252, 252, 252],
+        [188, 188, 187],
+        [188, 188, 180],
+        [128; 3],
+    ];
+    let rgba: Vec<u8> = shown.iter().flat_map(|[r, g, b]| [*r, *g, *b, 255]).collect();
+    let wanted = Brightness { black: 2.0 / 8.0, white: 2.0 / 8.0, background: 1.0 / 8.0 };
+    assert_eq!(Brightness::of(&rgba, background), wanted);
+    assert_eq!(Brightness::of(&[], background), Brightness::default());
+}

@@ -107,6 +107,12 @@ pub fn free_name(scene: &Scene, list: ListName, name: &str) -> String {
     Names::of(scene, list).take(name)
 }
 
+/// A name that is not among these: this one, or with a number.
+#[must_use]
+pub fn free_name_among<'a>(taken: impl Iterator<Item = &'a str>, name: &str) -> String {
+    Names::among(taken).take(name)
+}
+
 /// A new object that is a model from a file, which is among the assets already: as large as it is, unless that is far too
 /// small or too large for the picture.
 #[must_use]

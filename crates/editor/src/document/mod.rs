@@ -22,7 +22,7 @@ pub(crate) use bounds::{object_bounds, plane_level};
 pub use clipboard::copy;
 pub use command::{Addition, CameraMove, EditCommand, Paint};
 pub use cover::cover;
-pub use defaults::{Aim, free_name, new_model, new_thing, orbit_center};
+pub use defaults::{Aim, free_name, free_name_among, new_model, new_thing, orbit_center};
 pub use edits::pivot_of;
 pub use error::{EditError, allowed, problem};
 pub use history::{Gesture, History};

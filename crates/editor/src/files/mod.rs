@@ -23,7 +23,7 @@ pub use places::{HOME_VARIABLE, Places};
 pub use problem::{FileProblem, OpenError, TextPlace};
 pub use recent::{Recent, RecentFile};
 pub use recovery::{Recovery, recoverable};
-pub use relative::path_in_scene;
+pub use relative::{file_name, path_in_scene};
 pub use save::{SaveError, SaveRequest, Saved, save};
 pub use task::{Task, TaskState, Wake};
 pub(crate) use wording::describe;

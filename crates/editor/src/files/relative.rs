@@ -12,6 +12,12 @@ pub fn path_in_scene(file: &Path, folder: Option<&Path>) -> String {
     if cfg!(windows) { text.replace('\\', "/") } else { text }
 }
 
+/// The name of a file without its folder, as it is shown; empty when there is none.
+#[must_use]
+pub fn file_name(path: &Path) -> String {
+    path.file_name().unwrap_or_default().to_string_lossy().into_owned()
+}
+
 /// The way from a folder to a file. None when they have nothing but the root in common.
 fn relative(file: &Path, folder: &Path) -> Option<PathBuf> {
     let (to, from): (Vec<_>, Vec<_>) = (file.components().collect(), folder.components().collect());

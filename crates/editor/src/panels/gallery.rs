@@ -2,7 +2,7 @@
 
 use super::thumbnail::ThumbnailTextures;
 use crate::action::{Action, Actions};
-use crate::files::{Config, Recent, Recovery};
+use crate::files::{Config, Recent, Recovery, file_name};
 use crate::library::{ThumbnailImage, Thumbnails, template_key};
 use crate::text::{Language, tr};
 use crate::theme::{self, icon_font, icons};
@@ -140,7 +140,7 @@ fn title_ui(ui: &mut Ui, text: &str) {
 fn recent_ui(ui: &mut Ui, path: &Path, when: SystemTime) -> Response {
     let theme = theme::of(ui);
     let sizes = &theme.sizes;
-    let file = path.file_name().unwrap_or_default().to_string_lossy();
+    let file = file_name(path);
     let name = file.strip_suffix(".vitrine.toml").unwrap_or(&file).to_owned();
     let folder = path.parent().and_then(Path::file_name).unwrap_or_default().to_string_lossy();
     let below = tr!("gallery-recent-below", folder = folder.as_ref(), age = age_text(when));

@@ -3,13 +3,12 @@
 use super::{Around, RenderState};
 use crate::action::{Action, Actions, NewThing, Screen};
 use crate::document::EditCommand;
-use crate::files::Config;
+use crate::files::{Config, file_name};
 use crate::shortcuts;
 use crate::text::{Language, tr};
 use crate::theme;
 use crate::widgets::describe;
 use eframe::egui::{Button, MenuBar, Ui};
-use std::path::Path;
 use vitrine::scene::{LightSource, ListName, Shape};
 
 /// Draws the menu bar.
@@ -76,10 +75,6 @@ fn file_ui(ui: &mut Ui, around: &Around, actions: &mut Actions) {
     on(entry(ui, "menu-save-picture", "save-picture", true), Action::SavePicture);
     ui.separator();
     on(entry(ui, "menu-quit", "quit", true), Action::Quit);
-}
-
-fn file_name(path: &Path) -> String {
-    path.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
 fn edit_ui(ui: &mut Ui, around: &Around, actions: &mut Actions) {

@@ -24,7 +24,7 @@ fn loaded_model() -> LoadedModel {
 }
 
 fn thing(world: &World, addition: &Addition) -> Dialog {
-    Dialog::Thing(Box::new(ThingDialog::add(addition, &world.document).unwrap()))
+    Dialog::Thing(Box::new(ThingDialog::add(addition, &world.document).expect("it adds a thing")))
 }
 
 fn object(shape: Shape) -> Addition {
@@ -71,14 +71,7 @@ fn problems() -> Vec<ProblemLine> {
 
 /// Every dialog, with a word for its picture.
 fn all_dialogs(world: &World) -> Vec<(&'static str, Dialog)> {
-    let around = Around {
-        document: &world.document,
-        config: &world.config,
-        problems: &[],
-        samples_per_second: None,
-        current: None,
-    };
-    let screen = |screen| Dialog::of_screen(screen, &around).unwrap();
+    let screen = |screen| Dialog::of_screen(screen, &world.around()).expect("it is a dialog");
     let settings = Settings::default();
     let save = SaveDialog::new(Path::new("ball.png"), &settings, None);
     let current = Some(CurrentPicture { size: [960, 720], samples: 24 });

@@ -21,7 +21,7 @@ fn sphere() -> Object {
 fn add_object(language: Language, object: Object) -> Harness<'static, World> {
     let mut world = World::new(language);
     let addition = Addition { objects: vec![object], ..Addition::default() };
-    let dialog = ThingDialog::add(&addition, &world.document).unwrap();
+    let dialog = ThingDialog::add(&addition, &world.document).expect("it adds a thing");
     world.open = Some(Dialog::Thing(Box::new(dialog)));
     harness(world)
 }
@@ -123,15 +123,7 @@ fn c4_a_triangle_with_its_points_on_a_line_is_not_accepted() {
 fn c10_c16_depth_and_threads_are_set_and_the_language_changes_at_once() {
     both(|language| {
         let mut world = World::new(language);
-        let around = Around {
-            document: &world.document,
-            config: &world.config,
-            problems: &[],
-            samples_per_second: None,
-            current: None,
-        };
-        let dialog = Dialog::of_screen(Screen::Settings, &around);
-        world.open = dialog;
+        world.open = Dialog::of_screen(Screen::Settings, &world.around());
         let mut harness = harness(world);
         harness.get_by_role_and_label(Role::ComboBox, &tr!("dialog-settings-threads")).click();
         settle(&mut harness);
@@ -151,15 +143,7 @@ fn c10_c16_depth_and_threads_are_set_and_the_language_changes_at_once() {
 fn settings_are_taken_back_by_cancel() {
     both(|language| {
         let mut world = World::new(language);
-        let around = Around {
-            document: &world.document,
-            config: &world.config,
-            problems: &[],
-            samples_per_second: None,
-            current: None,
-        };
-        let dialog = Dialog::of_screen(Screen::Settings, &around);
-        world.open = dialog;
+        world.open = Dialog::of_screen(Screen::Settings, &world.around());
         let mut harness = harness(world);
         harness.get_by_label(&tr!("dialog-settings-large-text")).click();
         settle(&mut harness);
@@ -277,8 +261,10 @@ fn an_error_shows_line_and_help_and_copies_itself() {
 fn carry_out(world: &mut World) {
     for action in std::mem::take(&mut world.actions) {
         match action {
-            Action::Edit(command) => world.document.apply(command).unwrap(),
-            Action::Drag(command, gesture) => world.document.drag(command, gesture).unwrap(),
+            Action::Edit(command) => world.document.apply(command).expect("the edit is allowed"),
+            Action::Drag(command, gesture) => {
+                world.document.drag(command, gesture).expect("the edit is allowed");
+            }
             Action::Select(things) => world.document.select(things),
             other => panic!("{other:?}"),
         }

@@ -42,6 +42,17 @@ impl World {
         }
     }
 
+    /// What a dialog that is made sees of the window.
+    pub fn around(&self) -> Around<'_> {
+        Around {
+            document: &self.document,
+            config: &self.config,
+            problems: &[],
+            samples_per_second: None,
+            current: None,
+        }
+    }
+
     pub fn draw(&mut self, ui: &mut Ui) {
         set_language(self.language);
         if !std::mem::replace(&mut self.is_dressed, true) {
@@ -84,12 +95,12 @@ pub fn type_into(harness: &mut Harness<'_, World>, name: &str, text: &str) {
         place.unwrap_or_else(|| panic!("no field {name}: {nodes:?}"))
     };
     let at = field(harness);
-    harness.query_all_by_label(name).nth(at).unwrap().focus();
+    harness.query_all_by_label(name).nth(at).expect("the field was counted").focus();
     settle(harness);
     harness.key_combination_modifiers(Modifiers::COMMAND, &[Key::A]);
     settle(harness);
     let at = field(harness);
-    harness.query_all_by_label(name).nth(at).unwrap().type_text(text);
+    harness.query_all_by_label(name).nth(at).expect("the field was counted").type_text(text);
     settle(harness);
 }
 
@@ -103,5 +114,5 @@ pub fn both(test: impl Fn(Language)) {
 }
 
 pub fn label(kind: &str, specs: &'static [ParamSpec], key: &str) -> String {
-    param_label(kind, specs.iter().find(|s| s.name == key).unwrap())
+    param_label(kind, specs.iter().find(|s| s.name == key).expect("there is such a parameter"))
 }

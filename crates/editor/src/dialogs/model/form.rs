@@ -7,6 +7,7 @@ use crate::dialogs::preview::Preview;
 use crate::dialogs::thing::{MaterialAnswer, material_form};
 use crate::dialogs::{Around, Browse, Outcome, Reply, one_step};
 use crate::document::{Document, Thing};
+use crate::files::file_name;
 use crate::text::tr;
 use crate::theme;
 use crate::widgets::{Field, ParamField, Shown, param_ui, text_field, toggle};
@@ -115,7 +116,7 @@ fn facts(ui: &mut Ui, draft: &mut ModelDraft) {
     frame::fact(ui, &tr!("dialog-model-size"), &of);
     let count = grouped(draft.model.mesh.triangles.len());
     frame::fact(ui, &tr!("dialog-model-triangles"), &count);
-    let file = draft.model.path.file_name().unwrap_or_default().to_string_lossy();
+    let file = file_name(&draft.model.path);
     frame::fact(ui, &tr!("dialog-model-file"), &file);
     let longest = size.max_element();
     if longest > 100.0 {

@@ -1,7 +1,7 @@
 //! The thing that a dialog adds or changes, until the person accepts: a copy, so that «Cancel» has nothing to take back.
 
 use super::material::MaterialDraft;
-use crate::document::{Addition, EditCommand, Thing};
+use crate::document::{Addition, EditCommand, Thing, free_name_among};
 use vitrine::scene::{Item, Light, ListName, Object, ParamSpec, Params, Scene, Value, params};
 
 /// An object or a light.
@@ -278,7 +278,7 @@ pub(in crate::dialogs) fn replace<T: Item>(items: &mut Vec<T>, mut item: T, befo
             *old = item;
         }
         None => {
-            let name = super::material::free_name(item.name(), |n| items.iter().any(|i| i.name() == n));
+            let name = free_name_among(items.iter().map(Item::name), item.name());
             item.rename(name);
             items.push(item);
         }

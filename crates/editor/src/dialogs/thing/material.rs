@@ -1,9 +1,9 @@
 //! What a thing in a dialog is made of: a new material, one of the scene's, or none.
 
-use crate::document::{Addition, EditCommand, Paint, Thing};
+use crate::document::{Addition, EditCommand, Paint, Thing, free_name};
 use vitrine::math::Rgb;
 use vitrine::scene::{
-    Item, Material, Object, ParamSpec, Params, Scene, Texture, TextureSource, Value, params,
+    Item, ListName, Material, Object, ParamSpec, Params, Scene, Texture, TextureSource, Value, params,
 };
 
 /// Where the material comes from.
@@ -114,7 +114,7 @@ impl MaterialDraft {
     /// Lays a picture over the surface. `file` is its path as the scene writes it.
     pub fn set_picture(&mut self, file: &str, scene: &Scene) {
         let stem = std::path::Path::new(file).file_stem().unwrap_or_default();
-        let name = free_name(&stem.to_string_lossy(), |n| scene.texture(n).is_some());
+        let name = free_name(scene, ListName::Texture, &stem.to_string_lossy());
         let mut texture = Texture { name: name.clone(), ..Texture::default() };
         texture.set_kind("picture");
         if let TextureSource::Picture(picture) = &mut texture.source {
@@ -127,7 +127,7 @@ impl MaterialDraft {
     /// Lays a new pattern over the surface.
     pub fn set_pattern(&mut self, scene: &Scene) {
         let wanted = crate::text::kind_name("checker");
-        let name = free_name(&wanted, |n| scene.texture(n).is_some());
+        let name = free_name(scene, ListName::Texture, &wanted);
         self.material.texture = Some(name.clone());
         self.texture = Some(Texture { name, ..Texture::default() });
     }
@@ -160,7 +160,7 @@ impl MaterialDraft {
             MaterialChoice::Named(name) => Some(name.clone()),
             MaterialChoice::New => {
                 let mut material = self.material.clone();
-                material.name = free_name(&object.name, |n| scene.material(n).is_some());
+                material.name = free_name(scene, ListName::Material, &object.name);
                 let name = material.name.clone();
                 addition.materials.push(material);
                 addition.textures.extend(self.texture.clone());
@@ -182,7 +182,7 @@ impl MaterialDraft {
                 Some(name.clone())
             }
             MaterialChoice::New => {
-                let name = free_name(&object.name, |n| scene.material(n).is_some());
+                let name = free_name(scene, ListName::Material, &object.name);
                 scene.materials.push(Material { name: name.clone(), ..self.material.clone() });
                 Some(name)
             }
@@ -204,7 +204,7 @@ impl MaterialDraft {
             }
             MaterialChoice::Unstated => Vec::new(),
             MaterialChoice::New => {
-                let name = free_name(&object.name, |n| scene.material(n).is_some());
+                let name = free_name(scene, ListName::Material, &object.name);
                 let material = Material { name, ..self.material.clone() };
                 let paint = Paint { material, texture: self.texture.clone() };
                 vec![EditCommand::Paint { things: vec![thing], material: Box::new(paint) }]
@@ -249,10 +249,4 @@ fn fresh() -> Material {
         refraction: Some(1.0),
         ..Material::default()
     }
-}
-
-/// The name itself, or with the first number from 2 that makes it free.
-pub(in crate::dialogs) fn free_name(wanted: &str, is_taken: impl Fn(&str) -> bool) -> String {
-    let numbered = (2_u32..).map(|n| format!("{wanted} {n}"));
-    std::iter::once(wanted.to_owned()).chain(numbered).find(|n| !is_taken(n)).unwrap_or_default()
 }

@@ -13,7 +13,12 @@ pub(in crate::document) struct Names {
 
 impl Names {
     pub(in crate::document) fn of(scene: &Scene, list: ListName) -> Self {
-        Self { taken: scene.names(list).map(str::to_owned).collect(), next: HashMap::new() }
+        Self::among(scene.names(list))
+    }
+
+    /// Of a list that is not in a scene yet.
+    pub(in crate::document) fn among<'a>(taken: impl Iterator<Item = &'a str>) -> Self {
+        Self { taken: taken.map(str::to_owned).collect(), next: HashMap::new() }
     }
 
     /// The name itself, or with the next free number when it is taken. It is taken from now on.

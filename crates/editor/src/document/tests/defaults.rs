@@ -154,3 +154,16 @@ fn the_camera_turns_about_what_it_looks_at() {
     camera(&mut document, Vec3::new(0.0, 1.0, 20.0), Vec3::new(0.0, 180.0, 0.0));
     assert_near(center(&document), Vec3::new(0.0, 1.0, 25.0));
 }
+
+#[test]
+fn a_name_that_is_taken_gets_the_next_number() {
+    let document = shelf();
+    let free = |list, name: &str| free_name(document.scene(), list, name);
+    assert_eq!(free(ListName::Object, "cube"), "cube");
+    assert_eq!(free(ListName::Object, "ball"), "ball 2");
+    assert_eq!(free(ListName::Light, "ball"), "ball", "each list has names of its own");
+    let taken = ["glass", "glass 2"];
+    assert_eq!(free_name_among(taken.into_iter(), "glass"), "glass 3");
+    assert_eq!(free_name_among(taken.into_iter(), "glass 2"), "glass 3");
+    assert_eq!(free_name_among(taken.into_iter(), "glass 3"), "glass 3");
+}

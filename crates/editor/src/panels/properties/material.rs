@@ -4,16 +4,14 @@ use super::ask::Ask;
 use super::object::kind_ui;
 use super::remark_ui;
 use crate::action::Action;
-use crate::document::{Addition, EditCommand, Paint, Thing};
+use crate::document::{Addition, EditCommand, Paint, Thing, free_name};
 use crate::text::{param_label, param_tooltip, tr};
 use crate::widgets::{
     Field, Shown, TextureAnswer, choice_field, link_button, new_gesture, primary_button, subsection,
     texture_chooser,
 };
 use eframe::egui::Ui;
-use vitrine::scene::{
-    ClassicMaterial, ListName, Material, ParamValue as _, Scene, Texture, TextureSource, Value,
-};
+use vitrine::scene::{ClassicMaterial, ListName, Material, ParamValue as _, Texture, TextureSource, Value};
 
 /// What is shown at first of a material: with the picture on the surface, eight controls.
 const FIRST: [&str; 7] =
@@ -84,14 +82,6 @@ fn set(ask: &mut Ask<'_>, things: &[Thing], value: Value) {
 fn paint(ask: &mut Ask<'_>, objects: &[Thing], material: Material) {
     let paint = Paint { material, texture: None };
     ask.edit(EditCommand::Paint { things: objects.to_vec(), material: Box::new(paint) });
-}
-
-/// A name that nothing in the list has yet: "glass", "glass 2".
-fn free_name(scene: &Scene, list: ListName, wanted: &str) -> String {
-    let is_free = |name: &str| scene.names(list).all(|n| n != name);
-    let base = wanted.trim_end_matches(|c: char| c.is_ascii_digit()).trim_end();
-    let numbered = (2..).map(|i| format!("{base} {i}"));
-    std::iter::once(wanted.to_owned()).chain(numbered).find(|n| is_free(n)).unwrap_or_default()
 }
 
 /// The parameters of a material: the eight that matter most, then the others.
@@ -191,16 +181,6 @@ mod tests {
             let value = derived(&material, spec.name);
             assert!(value.is_some_and(|v| spec.check(&v).is_ok()), "{}", spec.name);
         }
-    }
-
-    #[test]
-    fn a_copy_gets_the_next_free_number() {
-        let mut scene = Scene::default();
-        let named = |name: &str| Material { name: name.into(), ..Material::default() };
-        assert_eq!(free_name(&scene, ListName::Material, "glass"), "glass");
-        scene.materials = vec![named("glass"), named("glass 2")];
-        assert_eq!(free_name(&scene, ListName::Material, "glass"), "glass 3");
-        assert_eq!(free_name(&scene, ListName::Material, "glass 2"), "glass 3");
     }
 
     #[test]
