@@ -203,6 +203,7 @@ fn c7_a_pattern_and_a_picture_cover_a_shape() {
     let stripes =
         image::RgbImage::from_fn(8, 8, |x, _| image::Rgb(if x < 4 { [250, 20, 20] } else { [20; 3] }));
     stripes.save(&path).unwrap();
+    person.select("Sphere");
     must_be_seen(&mut person, |person| person.open(path));
     let name = texture_of(&person);
     let texture = person.scene().texture(&name).unwrap();

@@ -7,3 +7,4 @@ mod support;
 mod course_work;
 mod looks;
 mod person;
+mod picture;

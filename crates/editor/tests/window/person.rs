@@ -39,8 +39,7 @@ impl Person {
         text::set_language(config.language);
         let size = Vec2::from(WINDOW_SIZE);
         let builder = Harness::builder().with_size(size).with_max_steps(32).renderer(CpuRenderer::default());
-        let window =
-            builder.build_eframe(move |creation| Editor::new(&creation.egui_ctx, places, None, pace));
+        let window = builder.build_eframe(move |creation| Editor::new(&creation.egui_ctx, places, None, pace));
         let mut person = Self { window, home };
         person.wait();
         person
@@ -100,23 +99,23 @@ impl Person {
     }
 
     /// The controls of that name, in the order in which they are drawn: what is on top comes last.
-    fn controls<'a>(&'a self, name: &'a str) -> Vec<Node<'a>> {
+    pub fn all<'a>(&'a self, name: &'a str) -> Vec<Node<'a>> {
         let is_control =
             |n: &Node<'_>| !matches!(n.accesskit_node().role(), Role::Label | Role::GenericContainer);
-        let all = || self.window.query_all_by_label(name);
-        let found: Vec<_> = all().filter(is_control).collect();
-        if found.is_empty() { all().collect() } else { found }
+        let named = || self.window.query_all_by_label(name);
+        let found: Vec<_> = named().filter(is_control).collect();
+        if found.is_empty() { named().collect() } else { found }
     }
 
     /// The control of that name; of several the one on top.
     pub fn control<'a>(&'a self, name: &'a str) -> Node<'a> {
-        let found = self.controls(name).pop();
+        let found = self.all(name).pop();
         found.unwrap_or_else(|| panic!("there is no {name:?}; there are: {:?}", self.names()))
     }
 
     /// The first control of that name: a tool of the bars above the picture.
     pub fn tool<'a>(&'a self, name: &'a str) -> Node<'a> {
-        let found = self.controls(name).into_iter().next();
+        let found = self.all(name).into_iter().next();
         found.unwrap_or_else(|| panic!("there is no {name:?}; there are: {:?}", self.names()))
     }
 
@@ -158,9 +157,21 @@ impl Person {
         self.wait();
     }
 
-    /// Clicks with a modifier held.
-    pub fn click_with(&mut self, name: &str, modifiers: Modifiers) {
-        self.control(name).click_modifiers(modifiers);
+    /// The row of the list, which lies at the left of the window.
+    pub fn row<'a>(&'a self, name: &'a str) -> Node<'a> {
+        let is_row = |n: &Node<'_>| n.rect().right() < 215.0 && n.rect().top() > 100.0;
+        self.all(name).into_iter().find(is_row).unwrap_or_else(|| panic!("no row {name:?}"))
+    }
+
+    /// Selects in the list.
+    pub fn select(&mut self, name: &str) {
+        self.row(name).click();
+        self.wait();
+    }
+
+    /// Clicks a row with a modifier held.
+    pub fn select_with(&mut self, name: &str, modifiers: Modifiers) {
+        self.row(name).click_modifiers(modifiers);
         self.wait();
     }
 
@@ -189,8 +200,9 @@ impl Person {
 
     /// Types into a field in place of what stands there, and stays in it.
     pub fn enter(&mut self, name: &str, text: &str) {
-        let is_field = |n: &Node<'_>| matches!(n.accesskit_node().role(), Role::TextInput | Role::SpinButton);
-        let field = self.controls(name).into_iter().rfind(is_field);
+        let is_field =
+            |n: &Node<'_>| matches!(n.accesskit_node().role(), Role::TextInput | Role::SpinButton);
+        let field = self.all(name).into_iter().rfind(is_field);
         field.unwrap_or_else(|| panic!("no field {name:?}; there are: {:?}", self.names())).focus();
         self.wait();
         self.press(Key::A, Modifiers::COMMAND);
