@@ -168,7 +168,7 @@ impl Sizes {
             radius_l: 10,
             line: 1.0,
             line_bold: 2.0,
-            list_width: 210.0,
+            list_width: 130.0 + 80.0 * k,
             properties_width: 260.0,
             dialog_width: 440.0,
             dialog_wide: 720.0,
