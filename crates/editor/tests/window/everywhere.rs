@@ -10,17 +10,31 @@ use vitrine_editor::files::Config;
 use vitrine_editor::text::{Language, text_of};
 use vitrine::scene::{LightSource, ListName, Shape};
 
-/// Faults that were found, each with the state in which it was.
+/// Faults that were found, each once, with the state in which it was first.
 #[derive(Default)]
-struct Faults(Vec<String>);
+struct Faults(Vec<(String, String)>);
 
 impl Faults {
     fn look(&mut self, person: &Person, state: &str) {
         let nameless = controls_without_name_or_tooltip(&person.window);
         let clipped = labels_clipped(&person.window);
         let all = nameless.into_iter().map(|f| format!("no name or tooltip: {f}")).chain(clipped);
-        // The rows of the strip and of lists say with "…" that a long name goes on.
-        self.0.extend(all.map(|fault| format!("{state}: {fault}")));
+        // A name that a person has given may be so long that "…" stands for its end, a text in a field goes on as one
+        // types, and the cards of the gallery go on below the window's edge: all of the window scrolls.
+        let scene = person.scene();
+        let names = scene.objects.iter().map(|o| &o.name).chain(scene.lights.iter().map(|l| &l.name));
+        let long_names: Vec<_> = names.map(|name| format!("{name:?} is cut short")).collect();
+        let about = format!("{:?} sticks out sideways", scene.about);
+        let is_meant = |fault: &String| {
+            long_names.contains(fault)
+                || fault.starts_with(&about)
+                || state == "gallery" && fault.contains("sticks out of the screen")
+        };
+        for fault in all.filter(|f| !is_meant(f)) {
+            if !self.0.iter().any(|(known, _)| *known == fault) {
+                self.0.push((fault, state.to_owned()));
+            }
+        }
     }
 }
 
@@ -56,7 +70,7 @@ fn go_through(config: &Config) -> Vec<String> {
     dialogs(&mut person, &mut faults);
     person.ask(Action::Show(Screen::Tour));
     faults.look(&person, "the tour");
-    faults.0
+    faults.0.into_iter().map(|(fault, state)| format!("{state}: {fault}")).collect()
 }
 
 fn dialogs(person: &mut Person, faults: &mut Faults) {
