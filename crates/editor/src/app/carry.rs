@@ -245,11 +245,11 @@ impl Editor {
             }
             Reply::SaveThen(action) => self.save_then(*action),
             Reply::DropThen(action) => {
-                self.document.forget_changes();
+                self.let_changes_go();
                 self.actions.push(*action);
             }
             Reply::Reload(path) => {
-                self.document.forget_changes();
+                self.let_changes_go();
                 self.open_file(path);
             }
             Reply::KeepMine(path) => self.save_over(path),

@@ -30,6 +30,8 @@ pub struct Scenes {
     chosen_for: Option<(Thing, String)>,
     /// What waits until the scene has been saved.
     after_save: Option<Action>,
+    /// Whether the person has let changes go for the scene that is being opened.
+    lets_changes_go: bool,
 }
 
 /// A scene that is being written.
@@ -210,10 +212,23 @@ impl Editor {
                 self.keep_recent();
                 self.take_opened(opened);
             }
-            TaskState::Done(Err(error)) => self.report(Failure::Scene, &error),
+            TaskState::Done(Err(error)) => {
+                // The changes are still there, for nothing has come in their place.
+                if self.scenes.lets_changes_go {
+                    self.document.mark_unsaved();
+                }
+                self.report(Failure::Scene, &error);
+            }
             TaskState::Over => {}
         }
         self.scenes.opening = None;
+        self.scenes.lets_changes_go = false;
+    }
+
+    /// Lets changes go, for a scene that comes in their place.
+    pub(super) fn let_changes_go(&mut self) {
+        self.scenes.lets_changes_go = self.document.is_changed();
+        self.document.forget_changes();
     }
 
     /// Shows a scene that has been read.
