@@ -1,5 +1,5 @@
-//! The live picture of the window, without the window: from an edit to the first picture of it, and to the first at full size.
-//! 640 × 480, 2 threads, the course work's scenes.
+//! What a person waits for in the window: from an edit to the first picture of it, and to the first at full size (640 × 480, 2
+//! threads, the course work's scenes, without the window); and the interface's own work for a frame, without drawing triangles.
 //!
 //! `cargo bench --bench editor`. Each edit moves an object while the picture of the one before still refines, as in the window.
 
@@ -8,7 +8,10 @@ use std::path::Path;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, channel};
 use std::time::Duration;
+use vitrine_editor::egui::{Context, Pos2, RawInput, Rect};
+use vitrine_editor::files::Places;
 use vitrine_editor::live::{Live, Picture, Request};
+use vitrine_editor::{Editor, Pace, WINDOW_SIZE};
 use vitrine_formats::{SceneFile, load_assets};
 use vitrine_scene::{Assets, Scene};
 
@@ -38,6 +41,27 @@ fn edit_to_first_picture(bencher: Bencher, scene: &str) {
 fn edit_to_full_size(bencher: Bencher, scene: &str) {
     let mut editing = Editing::of(scene);
     bencher.bench_local(|| editing.edit_until(|picture| picture.size == SIZE && picture.samples > 0));
+}
+
+/// A frame of the whole window with the benchmark scene, while nothing is rendered: layout, panels and triangles ready to be drawn.
+#[divan::bench(sample_count = 50, sample_size = 1)]
+fn interface_frame(bencher: Bencher) {
+    let home = tempfile::tempdir().expect("a folder can be made");
+    let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes/coursework/benchmark.vitrine.toml");
+    let ctx = Context::default();
+    let mut editor = Editor::new(&ctx, Places::inside(home.path()), Some(scene), Pace::Immediate);
+    let mut frame = || {
+        let size = Rect::from_min_size(Pos2::ZERO, WINDOW_SIZE.into());
+        let input = RawInput { screen_rect: Some(size), ..RawInput::default() };
+        let output = ctx.run_ui(input, |ui| editor.frame(ui));
+        ctx.tessellate(output.shapes, output.pixels_per_point)
+    };
+    // The scene is read on another thread.
+    for _ in 0..50 {
+        frame();
+        std::thread::sleep(Duration::from_millis(10));
+    }
+    bencher.bench_local(frame);
 }
 
 /// A scene that is being edited and watched.

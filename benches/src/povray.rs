@@ -106,6 +106,7 @@ fn body(out: &mut String, scene: &Scene, assets: &Assets, object: &Object) -> Re
             let normal = place.normal(Vec3::Y);
             put!(out, "plane {{ {}, {}", vector(normal), normal.dot(place.point(Vec3::ZERO)));
         }
+        Geometry::Disc { radius } => disc(out, radius, &place),
         Geometry::Triangle { points, .. } => {
             let [a, b, c] = points.map(|p| vector(place.point(p)));
             put!(out, "triangle {{ {a}, {b}, {c}");
@@ -161,6 +162,16 @@ fn sphere(out: &mut String, radius: f32, place: &Transform) {
         put!(out, "sphere {{ {}, {}", vector(place.point(Vec3::ZERO)), radius * scale);
     } else {
         put!(out, "sphere {{ 0, {radius} {}", matrix(place));
+    }
+}
+
+/// A disc, like the sphere without a matrix where it stays round.
+fn disc(out: &mut String, radius: f32, place: &Transform) {
+    if let Some(scale) = place.uniform_scale() {
+        let (center, normal) = (place.point(Vec3::ZERO), place.normal(Vec3::Y));
+        put!(out, "disc {{ {}, {}, {}", vector(center), vector(normal), radius * scale);
+    } else {
+        put!(out, "disc {{ 0, y, {radius} {}", matrix(place));
     }
 }
 
@@ -257,7 +268,7 @@ fn matrix(place: &Transform) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use vitrine_scene::shapes::{Cuboid, Plane};
+    use vitrine_scene::shapes::{Cuboid, Disc, Plane};
     use vitrine_scene::{Light, Shape, Texture};
 
     fn scene(object: Object, material: Material) -> Scene {
@@ -298,6 +309,20 @@ mod tests {
             ..Object::default()
         };
         assert!(translated(&scene(ground, Material::default())).contains("plane { <0, 1, -0>, -1.5\n"));
+    }
+
+    #[test]
+    fn a_disc_that_is_no_longer_round_has_a_matrix() {
+        let shape = Shape::Disc(Disc { radius: 0.5 });
+        let coin = Object { shape, position: Vec3::new(1.0, 2.0, 3.0), ..Object::default() };
+        let text = translated(&scene(coin.clone(), Material::default()));
+        assert!(text.contains("disc { <1, 2, -3>, <0, 1, -0>, 0.5\n"), "{text}");
+        let long = Object { scale: Vec3::new(2.0, 1.0, 1.0), ..coin };
+        let text = translated(&scene(long, Material::default()));
+        assert!(
+            text.contains("disc { 0, y, 0.5 matrix <2, 0, -0, 0, 1, -0, 0, 0, -1, 1, 2, -3>\n"),
+            "{text}"
+        );
     }
 
     #[test]

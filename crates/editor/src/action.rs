@@ -2,6 +2,7 @@
 
 use crate::document::{EditCommand, Gesture, Thing};
 use crate::files::Config;
+use crate::text::kind_name_in;
 use crate::theme::icons;
 use std::path::PathBuf;
 use vitrine::scene::ListName;
@@ -86,10 +87,10 @@ pub struct NewThing {
 }
 
 impl NewThing {
-    /// The word under which locales and icons know the kind.
+    /// Its name in the current language.
     #[must_use]
-    pub const fn kind_word(self) -> &'static str {
-        self.kind
+    pub fn name(self) -> String {
+        kind_name_in(self.list, self.kind)
     }
 
     /// Its icon.

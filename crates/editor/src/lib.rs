@@ -18,4 +18,7 @@ pub mod theme;
 pub mod viewport;
 pub mod widgets;
 
-pub use app::{Editor, LaunchError, Pace, WINDOW_SIZE, run};
+/// What the window is made with, for whoever drives it.
+pub use eframe::egui;
+
+pub use app::{Editor, LaunchError, Pace, WINDOW_SIZE, run, window_builder};

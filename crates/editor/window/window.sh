@@ -23,30 +23,26 @@ trap finish EXIT
 
 # A display with a window manager: without one nothing is ever in the foreground.
 start_display() {
-    local display
-    for display in $(seq 90 120); do
-        [ -e "/tmp/.X11-unix/X$display" ] && continue
-        Xvfb ":$display" -screen 0 1280x800x24 -nolisten tcp >/dev/null 2>&1 &
-        pids+=($!)
-        export DISPLAY=":$display"
-        for _ in $(seq 50); do
-            [ -e "/tmp/.X11-unix/X$display" ] && break
-            sleep 0.1
-        done
-        # No frame around the window: its corner is the screen's.
-        mkdir -p "$work/openbox"
-        cat >"$work/openbox/rc.xml" <<'RC'
+    Xvfb -displayfd 3 -screen 0 1280x800x24 -nolisten tcp 3>"$work/display" >/dev/null 2>&1 &
+    pids+=($!)
+    for _ in $(seq 100); do
+        [ -s "$work/display" ] && break
+        sleep 0.1
+    done
+    [ -s "$work/display" ] || { echo "there is no display" >&2; exit 2; }
+    DISPLAY=":$(cat "$work/display")"
+    export DISPLAY
+    # No frame around the window: its corner is the screen's.
+    mkdir -p "$work/openbox"
+    cat >"$work/openbox/rc.xml" <<'RC'
 <?xml version="1.0"?>
 <openbox_config xmlns="http://openbox.org/3.4/rc">
   <applications><application class="*"><decor>no</decor><position force="yes"><x>0</x><y>0</y></position></application></applications>
 </openbox_config>
 RC
-        openbox --config-file "$work/openbox/rc.xml" >/dev/null 2>&1 &
-        pids+=($!)
-        return
-    done
-    echo "no display is free" >&2
-    exit 2
+    openbox --config-file "$work/openbox/rc.xml" >/dev/null 2>&1 &
+    pids+=($!)
+    sleep 0.5
 }
 
 # Starts the program with a home of its own and waits for its window.
@@ -58,7 +54,7 @@ start_program() {
     program=$!
     pids+=("$program")
     for _ in $(seq 150); do
-        window=$(xdotool search --onlyvisible --pid "$program" 2>/dev/null | tail -1)
+        window=$(xdotool search --onlyvisible --pid "$program" 2>/dev/null | tail -1 || true)
         [ -n "$window" ] && break
         kill -0 "$program" 2>/dev/null || { echo "the program ended: $(cat "$work/out")" >&2; exit 1; }
         sleep 0.1

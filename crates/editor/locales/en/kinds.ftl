@@ -23,7 +23,7 @@ kind-texture = Pattern
 kind-camera = Camera
 kind-settings = Picture
 
-choice-renderer-classic = Mirrors and shadows
+choice-renderer-classic = Classic
 choice-renderer-cast = Ray casting
 choice-wrap-repeat = Repeat
 choice-wrap-clamp = Outermost colours

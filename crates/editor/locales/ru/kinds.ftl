@@ -23,7 +23,7 @@ kind-texture = Узор
 kind-camera = Камера
 kind-settings = Картинка
 
-choice-renderer-classic = Отражения и тени
+choice-renderer-classic = Классический
 choice-renderer-cast = Бросание лучей
 choice-wrap-repeat = Повторять
 choice-wrap-clamp = Крайние цвета

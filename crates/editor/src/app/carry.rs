@@ -10,7 +10,7 @@ use crate::document::{
 };
 use crate::files::{Config, file_name};
 use crate::live::{FinalState, Request};
-use crate::text::{self, kind_name, tr};
+use crate::text::{self, tr};
 use crate::theme;
 use eframe::egui::{Context, Event, ViewportCommand};
 use std::path::Path;
@@ -142,7 +142,7 @@ impl Editor {
     /// A new thing with good defaults, where the camera looks, named in the person's language.
     fn new_thing(&self, new: NewThing) -> Addition {
         let (scene, assets) = (self.document.scene(), self.document.assets());
-        let name = free_name(scene, new.list, &kind_name(new.kind_word()));
+        let name = free_name(scene, new.list, &new.name());
         new_thing(scene, assets, new.list, new.kind).named(&name)
     }
 
@@ -245,11 +245,11 @@ impl Editor {
             }
             Reply::SaveThen(action) => self.save_then(*action),
             Reply::DropThen(action) => {
-                self.document.forget_changes();
+                self.let_changes_go();
                 self.actions.push(*action);
             }
             Reply::Reload(path) => {
-                self.document.forget_changes();
+                self.let_changes_go();
                 self.open_file(path);
             }
             Reply::KeepMine(path) => self.save_over(path),

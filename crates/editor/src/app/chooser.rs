@@ -3,7 +3,8 @@
 use crate::files::file_name;
 use crate::text::tr;
 use eframe::egui;
-use egui_file_dialog::{DialogState, FileDialog, FileDialogLabels, Filter, OpeningMode};
+use egui_file_dialog::{DialogState, FileDialog, FileDialogConfig, FileDialogLabels, Filter, OpeningMode};
+use egui_phosphor::regular as icons;
 use std::path::{Path, PathBuf};
 
 /// What a file is chosen for.
@@ -77,7 +78,7 @@ impl Chooser {
 }
 
 fn dialog_for(purpose: Purpose) -> FileDialog {
-    let dialog = FileDialog::new()
+    let dialog = FileDialog::with_config(with_icons())
         .opening_mode(OpeningMode::AlwaysInitialDir)
         .default_size([760.0, 480.0])
         .anchor(egui::Align2::CENTER_CENTER, [0.0, 0.0])
@@ -108,6 +109,27 @@ fn dialog_for(purpose: Purpose) -> FileDialog {
                 .title(&tr!("chooser-load-texture"))
         }
         Purpose::SavePicture => dialog.title(&tr!("chooser-save-picture")),
+    }
+}
+
+/// The dialog's own icons, from the font that the whole window uses.
+fn with_icons() -> FileDialogConfig {
+    FileDialogConfig {
+        err_icon: icons::WARNING.into(),
+        warn_icon: icons::WARNING.into(),
+        default_file_icon: icons::FILE.into(),
+        default_folder_icon: icons::FOLDER.into(),
+        pinned_icon: icons::PUSH_PIN.into(),
+        device_icon: icons::HARD_DRIVE.into(),
+        removable_device_icon: icons::USB.into(),
+        parent_directory_icon: icons::ARROW_UP.into(),
+        back_icon: icons::ARROW_LEFT.into(),
+        forward_icon: icons::ARROW_RIGHT.into(),
+        new_folder_icon: icons::FOLDER_PLUS.into(),
+        menu_icon: icons::LIST.into(),
+        search_icon: icons::MAGNIFYING_GLASS.into(),
+        path_edit_icon: icons::PENCIL_SIMPLE.into(),
+        ..FileDialogConfig::default()
     }
 }
 

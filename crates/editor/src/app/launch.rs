@@ -22,12 +22,10 @@ pub enum LaunchError {
 /// The size of the window in points. It cannot be changed (C17).
 pub const WINDOW_SIZE: [f32; 2] = [1280.0, 800.0];
 
-/// Opens the window, with this scene if one is given, and returns when it has been closed.
-///
-/// # Errors
-/// [`LaunchError::NoWindow`] when there is no display or it cannot draw.
-pub fn run(scene: Option<PathBuf>) -> Result<(), LaunchError> {
-    let window = egui::ViewportBuilder::default()
+/// How the system is asked for the window: of one size that stays (C17).
+#[must_use]
+pub fn window_builder() -> egui::ViewportBuilder {
+    egui::ViewportBuilder::default()
         .with_title("Vitrine")
         .with_app_id("vitrine")
         .with_inner_size(WINDOW_SIZE)
@@ -35,8 +33,15 @@ pub fn run(scene: Option<PathBuf>) -> Result<(), LaunchError> {
         .with_max_inner_size(WINDOW_SIZE)
         .with_resizable(false)
         .with_maximize_button(false)
-        .with_drag_and_drop(true);
-    let options = eframe::NativeOptions { viewport: window, ..eframe::NativeOptions::default() };
+        .with_drag_and_drop(true)
+}
+
+/// Opens the window, with this scene if one is given, and returns when it has been closed.
+///
+/// # Errors
+/// [`LaunchError::NoWindow`] when there is no display or it cannot draw.
+pub fn run(scene: Option<PathBuf>) -> Result<(), LaunchError> {
+    let options = eframe::NativeOptions { viewport: window_builder(), ..eframe::NativeOptions::default() };
     // What a system lacks (a library that is opened at run time) can come as a panic out of the libraries below; once the
     // window is there, a panic is what it always is.
     let hook = panic::take_hook();

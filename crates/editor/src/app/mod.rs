@@ -10,7 +10,7 @@ mod picture;
 mod recovery;
 mod scenes;
 
-pub use launch::{LaunchError, WINDOW_SIZE, run};
+pub use launch::{LaunchError, WINDOW_SIZE, run, window_builder};
 
 use crate::action::{Action, Actions};
 use crate::dialogs::tour::{Tour, TourFacts};
@@ -29,7 +29,7 @@ use crate::viewport::Viewport;
 use crate::{shortcuts, text, theme};
 use chooser::Chooser;
 use doctor::Doctor;
-use eframe::egui::{self, Context, Ui, ViewportCommand};
+use eframe::egui::{self, Context, Key, Modifiers, Ui, ViewportCommand};
 use notices::Notices;
 use picture::PictureSaver;
 use scenes::Scenes;
@@ -68,6 +68,8 @@ pub struct Editor {
     places: Places,
     actions: Actions,
     wake: Wake,
+    /// Whether some control had the focus when the last frame ended.
+    had_focus: bool,
     /// Whether the person has agreed that the window closes.
     may_close: bool,
 }
@@ -130,6 +132,7 @@ impl Editor {
             places,
             actions: scene.map(Action::OpenFile).into_iter().collect(),
             wake,
+            had_focus: false,
             may_close: false,
         }
     }
@@ -160,7 +163,12 @@ impl Editor {
         if !self.is_choosing && !self.chooser.is_open() {
             shortcuts::asked_for(&ctx, &self.document, &mut self.actions);
         }
+        let is_free = self.is_escape_free(&ctx);
         self.draw(ui);
+        if is_free && ctx.input_mut(|i| i.consume_key(Modifiers::NONE, Key::Escape)) {
+            self.actions.push(Action::Select(Vec::new()));
+        }
+        self.had_focus = ctx.memory(|m| m.focused().is_some());
         self.carry_out(&ctx);
         self.look_after_files();
         self.look_after_pictures();
@@ -170,6 +178,12 @@ impl Editor {
         self.answer_closing(&ctx);
     }
 
+    /// Whether Esc has nothing nearer to leave than the selection: no field, menu, dialog or drag.
+    fn is_escape_free(&self, ctx: &Context) -> bool {
+        let is_above = self.dialog.is_some() || self.chooser.is_open() || egui::Popup::is_any_open(ctx);
+        !self.is_choosing && !is_above && !self.had_focus && !self.viewport.is_dragging()
+    }
+
     /// Dialogs, the chooser, the tour and notices, over everything else.
     fn draw_above(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
@@ -177,7 +191,7 @@ impl Editor {
             document: &self.document,
             config: &self.config,
             problems: &self.doctor.lines,
-            samples_per_second: self.picture.samples_per_second(),
+            samples_per_second: self.samples_per_second(),
             current: self.current_picture(),
         };
         let reply = dialogs::dialogs_ui(&ctx, &mut self.dialog, &around, &mut self.actions);

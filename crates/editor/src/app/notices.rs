@@ -2,9 +2,12 @@
 
 use crate::document::{EditError, Message};
 use crate::text::{FluentValue, text_of};
-use eframe::egui::Context;
+use eframe::egui::{Context, Vec2};
 use egui_notify::{Anchor, Toasts};
 use std::time::Duration;
+
+/// From the window's corner, so that the line at the bottom stays free. Points.
+const MARGIN: Vec2 = Vec2::new(8.0, 40.0);
 
 /// The notices that are shown now.
 pub struct Notices {
@@ -17,7 +20,7 @@ pub struct Notices {
 impl Default for Notices {
     fn default() -> Self {
         Self {
-            toasts: Toasts::default().with_anchor(Anchor::BottomRight),
+            toasts: Toasts::default().with_anchor(Anchor::BottomRight).with_margin(MARGIN),
             #[cfg(test)]
             told: Vec::new(),
         }
@@ -28,6 +31,8 @@ impl Notices {
     /// Something went well.
     pub fn success(&mut self, text: impl Into<String>) {
         let text = self.note(text.into());
+        // Of several things that went well the last one tells enough.
+        self.toasts.dismiss_all_toasts();
         self.toasts.success(text).duration(Duration::from_secs(4));
     }
 

@@ -13,6 +13,9 @@ use vitrine::formats::{self, FormatError};
 use vitrine::scene::Scene;
 use vitrine::{SceneHash, metadata_of};
 
+/// Fewer samples a pixel tell little of how long many will take.
+const SAMPLES_THAT_TELL: u32 = 4;
+
 /// What is being saved.
 #[derive(Default)]
 pub struct PictureSaver {
@@ -27,12 +30,6 @@ pub struct PictureSaver {
 }
 
 impl PictureSaver {
-    /// Samples of pixels that the renderer makes in a second; None when no final render has told.
-    #[must_use]
-    pub const fn samples_per_second(&self) -> Option<f64> {
-        self.rate
-    }
-
     /// How many pictures have been saved.
     #[must_use]
     pub const fn saved(&self) -> usize {
@@ -96,6 +93,17 @@ impl Editor {
         let wanted = Request { scene: Arc::new(scene), ..self.final_request() };
         self.picture.waiting = Some((request, metadata));
         self.live.start_final(wanted);
+    }
+
+    /// Samples of pixels that the renderer makes in a second: as the last final render went, else as the live picture goes; None
+    /// before there is either.
+    pub(super) fn samples_per_second(&self) -> Option<f64> {
+        self.picture.rate.or_else(|| {
+            let picture = self.live.picture().filter(|p| p.samples >= SAMPLES_THAT_TELL)?;
+            let samples =
+                f64::from(picture.samples) * f64::from(picture.size[0]) * f64::from(picture.size[1]);
+            (picture.elapsed > Duration::ZERO).then(|| samples / picture.elapsed.as_secs_f64())
+        })
     }
 
     /// Looks whether a picture that was waited for is complete, and whether one has been written.

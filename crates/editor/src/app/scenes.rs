@@ -21,6 +21,8 @@ use vitrine::scene::{ListName, Scene, Shape, Value};
 pub struct Scenes {
     opening: Option<Task<Result<Opened, OpenError>>>,
     saving: Option<Saving>,
+    /// Where to save once more when that is done: two writers of one file would take each other for another program.
+    save_again: Option<PathBuf>,
     adding: Option<(Task<Result<NewAsset, OpenError>>, Addend)>,
     /// What the scene's file said last.
     seen: Option<Seen>,
@@ -28,6 +30,8 @@ pub struct Scenes {
     chosen_for: Option<(Thing, String)>,
     /// What waits until the scene has been saved.
     after_save: Option<Action>,
+    /// Whether the person has let changes go for the scene that is being opened.
+    lets_changes_go: bool,
 }
 
 /// A scene that is being written.
@@ -163,6 +167,10 @@ impl Editor {
     }
 
     fn write(&mut self, path: PathBuf, seen: Option<Seen>) {
+        if self.scenes.saving.is_some() {
+            self.scenes.save_again = Some(path);
+            return;
+        }
         let scene = self.document.scene().clone();
         let request = SaveRequest {
             scene: scene.clone(),
@@ -204,10 +212,23 @@ impl Editor {
                 self.keep_recent();
                 self.take_opened(opened);
             }
-            TaskState::Done(Err(error)) => self.report(Failure::Scene, &error),
+            TaskState::Done(Err(error)) => {
+                // The changes are still there, for nothing has come in their place.
+                if self.scenes.lets_changes_go {
+                    self.document.mark_unsaved();
+                }
+                self.report(Failure::Scene, &error);
+            }
             TaskState::Over => {}
         }
         self.scenes.opening = None;
+        self.scenes.lets_changes_go = false;
+    }
+
+    /// Lets changes go, for a scene that comes in their place.
+    pub(super) fn let_changes_go(&mut self) {
+        self.scenes.lets_changes_go = self.document.is_changed();
+        self.document.forget_changes();
     }
 
     /// Shows a scene that has been read.
@@ -243,6 +264,7 @@ impl Editor {
             }
         };
         let Some(Saving { path, scene, .. }) = self.scenes.saving.take() else { return };
+        let again = self.scenes.save_again.take();
         match answer {
             Ok(saved) => {
                 self.scenes.seen = Some(saved.seen.clone());
@@ -250,6 +272,10 @@ impl Editor {
                 self.recent.add(&path);
                 self.keep_recent();
                 self.forget_autosave();
+                if let Some(path) = again {
+                    self.save_to(path);
+                    return;
+                }
                 self.notices.success(tr!("app-saved", name = self.document.title().unwrap_or_default()));
                 self.actions.extend(self.scenes.after_save.take());
             }

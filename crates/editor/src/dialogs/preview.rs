@@ -1,10 +1,8 @@
 //! A small picture of a scene inside a dialog, rendered on a thread of its own whenever the scene changes.
 
 use crate::text::tr;
-use crate::theme;
-use eframe::egui::{
-    Color32, ColorImage, Image, Rect, Response, Sense, TextureHandle, TextureOptions, Ui, Vec2,
-};
+use crate::theme::{self, UNTINTED};
+use eframe::egui::{ColorImage, Image, Rect, Response, Sense, TextureHandle, TextureOptions, Ui, Vec2};
 use std::fmt;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
@@ -112,5 +110,5 @@ fn render(scene: &Scene, assets: &Assets, earlier: Option<&CompiledScene>, cance
 
 fn paint(ui: &Ui, texture: &TextureHandle, rect: Rect) {
     let radius = theme::of(ui).sizes.radius;
-    Image::new(texture).corner_radius(radius).tint(Color32::WHITE).paint_at(ui, rect);
+    Image::new(texture).corner_radius(radius).tint(UNTINTED).paint_at(ui, rect);
 }

@@ -102,7 +102,7 @@ impl Look<'_> {
             Some(Geometry::Mesh(mesh) | Geometry::Facets(mesh)) => {
                 mesh.bounds().contains(p) && crossings_are_odd(&mesh, p)
             }
-            Some(Geometry::Plane | Geometry::Triangle { .. }) | None => false,
+            Some(Geometry::Plane | Geometry::Disc { .. } | Geometry::Triangle { .. }) | None => false,
         }
     }
 

@@ -47,6 +47,13 @@ pub(crate) fn object_bounds(object: &Object, place: &Transform, assets: &Assets)
             let (center, reach) = (Vec3::from(m.translation), lengths * radius);
             Bounds3 { min: center - reach, max: center + reach }
         }
+        Some(Geometry::Disc { radius }) => {
+            // Likewise, of a disc that has no height.
+            let (x, z) = (Vec3::from(m.matrix3.x_axis), Vec3::from(m.matrix3.z_axis));
+            let reach = (x * x + z * z).map(f32::sqrt) * radius;
+            let center = Vec3::from(m.translation);
+            Bounds3 { min: center - reach, max: center + reach }
+        }
         Some(Geometry::Box { half }) => place.bounds(&Bounds3 { min: -half, max: half }),
         Some(Geometry::Triangle { points, .. }) => Bounds3::around(points.map(|p| place.point(p))),
         Some(Geometry::Mesh(mesh) | Geometry::Facets(mesh)) => {

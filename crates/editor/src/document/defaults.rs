@@ -111,6 +111,11 @@ fn new_object(scene: &Scene, assets: &Assets, kind: &str, site: &Site) -> Option
             triangle.points = triangle.points.map(|p| p * size);
             turn_deg.y = site.facing_deg();
         }
+        Shape::Disc(disc) => {
+            // Upright, facing the camera: lying, it would vanish into the floor.
+            disc.radius = one_digit(site.height / 8.0);
+            turn_deg = Vec3::new(90.0, site.facing_deg(), 0.0);
+        }
         Shape::Plane(_) | Shape::Mesh(_) => {}
     }
     let name = free_name(scene, ListName::Object, kind);

@@ -117,13 +117,30 @@ pub fn shown(film: &Film, backdrop: Option<Backdrop>) -> Vec<u8> {
 }
 
 impl Backdrop<'_> {
-    /// The pixel in the place of a pixel of a picture of another size.
-    fn at(&self, [x, y]: [u32; 2], [width, height]: [u32; 2]) -> [u8; 4] {
-        let scaled = |v: u32, from: u32, to: u32| u64::from(v) * u64::from(to) / u64::from(from.max(1));
-        let (x, y) = (scaled(x, width, self.size[0]), scaled(y, height, self.size[1]));
-        let place = 4 * (y * u64::from(self.size[0]) + x) as usize;
+    /// What lies at the place of a pixel of a picture of another size, blended between the nearest pixels.
+    fn at(&self, at: [u32; 2], size: [u32; 2]) -> [u8; 4] {
+        let [(left, right, across), (top, bottom, down)] = [0, 1].map(|axis| {
+            let last = self.size[axis].saturating_sub(1);
+            let place = (at[axis] as f32 + 0.5) * self.size[axis] as f32 / size[axis].max(1) as f32 - 0.5;
+            let place = place.clamp(0.0, last as f32);
+            let first = place as u32;
+            (first, (first + 1).min(last), place - first as f32)
+        });
+        let rows = [top, bottom].map(|y| {
+            let [a, b] = [left, right].map(|x| self.pixel(x, y));
+            std::array::from_fn::<f32, 4, _>(|i| mix(a[i].into(), b[i].into(), across))
+        });
+        std::array::from_fn(|i| mix(rows[0][i], rows[1][i], down).round() as u8)
+    }
+
+    fn pixel(&self, x: u32, y: u32) -> [u8; 4] {
+        let place = 4 * (y as usize * self.size[0] as usize + x as usize);
         self.rgba.get(place..place + 4).and_then(|p| p.try_into().ok()).unwrap_or([0, 0, 0, u8::MAX])
     }
+}
+
+fn mix(a: f32, b: f32, share: f32) -> f32 {
+    a + (b - a) * share
 }
 
 #[cfg(test)]
@@ -137,11 +154,12 @@ mod tests {
         let mut film = Film::new(Region::whole([64, 32]));
         let white = vec![Rgb::WHITE; 32 * 32];
         film.bands().next().unwrap().add_samples(0, &white, 1);
-        let earlier = [1, 2, 3, 255, 4, 5, 6, 255];
+        let earlier = [1, 2, 3, 255, 5, 6, 7, 255];
         let rgba = shown(&film, Some(Backdrop { size: [2, 1], rgba: &earlier }));
         assert_eq!(rgba.len(), 64 * 32 * 4);
         assert_eq!(rgba[..4], [255; 4], "a sample");
-        assert_eq!(rgba[4 * 32..4 * 33], [4, 5, 6, 255], "the right half of the earlier picture");
+        assert_eq!(rgba[4 * 63..4 * 64], [5, 6, 7, 255], "the right end of the earlier picture");
+        assert_eq!(rgba[4 * 32..4 * 33], [3, 4, 5, 255], "halfway between its two pixels");
         assert_eq!(shown(&film, None)[4 * 32..4 * 33], [0, 0, 0, 255]);
     }
 }

@@ -5,7 +5,7 @@ use crate::action::{Action, Actions, NewThing, Screen};
 use crate::document::EditCommand;
 use crate::files::{Config, file_name};
 use crate::shortcuts;
-use crate::text::{Language, kind_name, tr};
+use crate::text::{Language, tr};
 use crate::theme;
 use crate::widgets::describe;
 use eframe::egui::{Button, MenuBar, Ui};
@@ -138,7 +138,7 @@ pub fn lights_ui(ui: &mut Ui, action: fn(NewThing) -> Action, actions: &mut Acti
 }
 
 fn kind_entry_ui(ui: &mut Ui, new: NewThing, action: fn(NewThing) -> Action, actions: &mut Actions) {
-    let name = kind_name(new.kind_word());
+    let name = new.name();
     let response = ui.add(Button::new(format!("{}  {name}", new.icon())));
     if response.clicked() {
         actions.push(action(new));

@@ -1,11 +1,9 @@
 //! Small pictures of materials, templates and scenes on the graphics card, and how they are drawn.
 
 use crate::library::ThumbnailImage;
-use crate::theme;
+use crate::theme::{self, UNTINTED};
 use eframe::egui::load::SizedTexture;
-use eframe::egui::{
-    Color32, ColorImage, Context, CornerRadius, Image, Rect, TextureHandle, TextureOptions, Ui, vec2,
-};
+use eframe::egui::{ColorImage, Context, CornerRadius, Image, Rect, TextureHandle, TextureOptions, Ui, vec2};
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -47,6 +45,6 @@ impl ThumbnailTextures {
         let scale = (rect.width() / texture.size.x).max(rect.height() / texture.size.y);
         let share = rect.size() / (texture.size * scale);
         let cut = Rect::from_center_size(eframe::egui::pos2(0.5, 0.5), vec2(share.x, share.y));
-        Image::from_texture(texture).uv(cut).corner_radius(radius).tint(Color32::WHITE).paint_at(ui, rect);
+        Image::from_texture(texture).uv(cut).corner_radius(radius).tint(UNTINTED).paint_at(ui, rect);
     }
 }

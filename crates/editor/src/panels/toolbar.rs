@@ -5,10 +5,11 @@ use super::{Around, RenderState};
 use crate::action::{Action, Actions, NewThing};
 use crate::dialogs::tour;
 use crate::shortcuts;
-use crate::text::{kind_name, tr, try_tr};
+use crate::text::{tr, try_tr};
 use crate::theme::{self, icons};
 use crate::widgets::{describe, icon_button, tool_button};
-use eframe::egui::{RichText, Ui};
+use eframe::egui::containers::menu::MenuButton;
+use eframe::egui::{Button, RichText, Ui, vec2};
 use vitrine::scene::{ListName, Shape};
 
 /// Draws the row of tools.
@@ -63,8 +64,8 @@ fn history_ui(ui: &mut Ui, around: &Around, actions: &mut Actions) {
 fn add_ui(ui: &mut Ui, actions: &mut Actions) {
     for kind in Shape::KINDS {
         let new = NewThing { list: ListName::Object, kind: kind.name };
-        let word = new.kind_word();
-        let name = try_tr(&format!("toolbar-{word}")).unwrap_or_else(|| kind_name(word));
+        let word = new.kind;
+        let name = try_tr(&format!("toolbar-{word}")).unwrap_or_else(|| new.name());
         let tooltip = try_tr(&format!("toolbar-{word}.tooltip"));
         let tooltip = tooltip.unwrap_or_else(|| tr!("menu-add-tooltip", name = name.as_str()));
         let response = tool_button(ui, new.icon(), &name, &tooltip, "");
@@ -78,10 +79,10 @@ fn add_ui(ui: &mut Ui, actions: &mut Actions) {
     let name = tr!("toolbar-light");
     let sizes = &theme::of(ui).sizes;
     let icon = RichText::new(icons::POINT).font(theme::icon_font(sizes.icon_tool));
-    let response = ui.menu_button((icon, RichText::new(name.as_str())), |ui| {
-        lights_ui(ui, Action::AddQuick, actions);
-    });
-    describe(response.response, &name, &tr!("toolbar-light.tooltip"));
+    let button = Button::new((icon, RichText::new(name.as_str()))).gap(sizes.gap_s + sizes.gap_xs);
+    let button = button.frame_when_inactive(false).min_size(vec2(sizes.tool, sizes.tool));
+    let (response, _) = MenuButton::from_button(button).ui(ui, |ui| lights_ui(ui, Action::AddQuick, actions));
+    describe(response, &name, &tr!("toolbar-light.tooltip"));
 }
 
 fn render_ui(ui: &mut Ui, around: &Around, actions: &mut Actions) {

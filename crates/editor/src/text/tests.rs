@@ -104,6 +104,39 @@ fn every_key_in_the_sources_is_in_the_locales() {
     assert!(missing.is_empty(), "{missing:#?}");
 }
 
+/// The name of a language in itself, and the program's own, are the same in every language.
+const NAMES: [&str; 2] = ["\"Vitrine\"", "\"EN\""];
+
+#[test]
+fn no_words_stand_in_the_sources() {
+    let makers =
+        [".label(", ".button(", ".heading(", "RichText::new(", "Button::new(", "Label::new(", "hover_text("];
+    let mut found = Vec::new();
+    for (path, text) in sources().iter().filter(|(path, _)| !path.contains("tests")) {
+        let code = text.split("#[cfg(test)]").next().unwrap_or_default();
+        for (maker, quoted) in makers.iter().flat_map(|m| code.split(m).skip(1).map(move |rest| (m, rest))) {
+            let Some(words) = quoted.strip_prefix('"').and_then(|q| q.split('"').next()) else { continue };
+            let is_word = words.chars().filter(|c| c.is_alphabetic()).count() > 1;
+            if is_word && !NAMES.contains(&format!("\"{words}\"").as_str()) {
+                found.push(format!("{maker}{words:?} in {path}"));
+            }
+        }
+        let colors = [
+            "Color32::RED",
+            "Color32::WHITE",
+            "Color32::BLACK",
+            "Color32::GRAY",
+            "Color32::GREEN",
+            "Color32::YELLOW",
+        ];
+        let is_theme = path.contains("/theme/");
+        found.extend(
+            colors.iter().filter(|c| !is_theme && code.contains(**c)).map(|c| format!("{c} in {path}")),
+        );
+    }
+    assert!(found.is_empty(), "{found:#?}");
+}
+
 #[test]
 fn every_message_is_said_somewhere() {
     let all = sources().into_iter().map(|(_, text)| text).collect::<String>();

@@ -9,7 +9,7 @@ mod style;
 mod tokens;
 
 pub use fonts::icon_font;
-pub use tokens::{Sizes, Theme, shown};
+pub use tokens::{Sizes, Theme, UNTINTED, shown};
 
 use crate::files::Config;
 use eframe::egui::{Context, Id};

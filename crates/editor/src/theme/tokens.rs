@@ -168,8 +168,9 @@ impl Sizes {
             radius_l: 10,
             line: 1.0,
             line_bold: 2.0,
-            list_width: 210.0,
-            properties_width: 260.0,
+            // Large letters need some more room, which the picture has at the sides.
+            list_width: 210.0 + 80.0 * (k - 1.0),
+            properties_width: 260.0 + 80.0 * (k - 1.0),
             dialog_width: 440.0,
             dialog_wide: 720.0,
             thumbnail: 72.0,
@@ -274,6 +275,9 @@ impl Theme {
         }
     }
 }
+
+/// What a picture is multiplied by to be shown as it is.
+pub const UNTINTED: Color32 = Color32::WHITE;
 
 /// A colour of the scene's, as it is shown: each component 0 to 1, with the display's curve.
 #[must_use]

@@ -3,6 +3,7 @@
 use super::{Frame, Tool, Viewport};
 use crate::action::{Action, Actions};
 use crate::tr;
+use crate::widgets::describe;
 use eframe::egui::{Align, Button, Key, Layout, Modifiers, Rect, Ui, UiBuilder, pos2};
 
 const TOOLS: [(Tool, &str, Key); 3] = [
@@ -27,16 +28,17 @@ pub fn bar_ui(ui: &mut Ui, frame: &Frame, viewport: &mut Viewport, actions: &mut
     ui.scope_builder(left, |ui| {
         ui.spacing_mut().item_spacing.x = sizes.gap_s;
         for (tool, key, _) in TOOLS {
-            let button = Button::new(tr!(key)).selected(viewport.tool == tool);
-            if ui.add(button).on_hover_text(tr!(&format!("{key}.tooltip"))).clicked() {
+            let name = tr!(key);
+            let button = ui.add(Button::new(name.as_str()).selected(viewport.tool == tool));
+            if describe(button, &name, &tr!(&format!("{key}.tooltip"))).clicked() {
                 viewport.tool = tool;
             }
         }
     });
     let right = UiBuilder::new().max_rect(row).layout(Layout::right_to_left(Align::Center));
     ui.scope_builder(right, |ui| {
-        let focus = ui.button(tr!("viewport-focus")).on_hover_text(tr!("viewport-focus.tooltip"));
-        if focus.clicked() {
+        let name = tr!("viewport-focus");
+        if describe(ui.button(name.as_str()), &name, &tr!("viewport-focus.tooltip")).clicked() {
             actions.push(Action::Frame(frame.movable()));
         }
     });

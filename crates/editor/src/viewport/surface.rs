@@ -1,7 +1,7 @@
 //! The picture as a texture, and over it the outline of what is selected.
 
 use crate::live::{ObjectMap, Picture};
-use crate::theme::Theme;
+use crate::theme::{Theme, UNTINTED};
 use eframe::egui::{Color32, ColorImage, Painter, Rect, TextureHandle, TextureId, TextureOptions, pos2};
 use std::sync::Arc;
 use vitrine::render::NO_OBJECT;
@@ -86,7 +86,7 @@ pub struct Outline<'a> {
 
 fn paint(painter: &Painter, texture: TextureId, rect: Rect) {
     let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
-    painter.image(texture, rect, whole, Color32::WHITE);
+    painter.image(texture, rect, whole, UNTINTED);
 }
 
 /// Flags for the objects of a scene that are among the things, themselves or by their groups.

@@ -2,16 +2,23 @@
 //! that differs is a question: look at both before taking the new one over with `UPDATE_SNAPSHOTS=1`.
 
 use crate::person::Person;
+use eframe::egui::vec2;
 use egui_kittest::SnapshotOptions;
+use vitrine::scene::ListName;
+use vitrine_editor::action::{Action, NewThing, Screen};
+use vitrine_editor::document::Thing;
 use vitrine_editor::text::{Language, text_of};
 
 fn compare(person: &mut Person, name: &str, language: Language) {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/window");
     let options = SnapshotOptions::new().output_path(folder);
+    // The pointer is no part of the window.
+    person.window.remove_cursor();
+    person.wait();
     person.window.snapshot_options(format!("{name}-{}", language.tag()), &options);
 }
 
-fn in_both(state: impl Fn(Language) -> Person, name: &str) {
+fn in_both(name: &str, state: impl Fn(Language) -> Person) {
     for language in Language::ALL {
         compare(&mut state(language), name, language);
     }
@@ -21,18 +28,93 @@ fn say(key: &str) -> String {
     text_of(key, &[])
 }
 
+/// A red glass ball on the floor, selected.
+fn with_red_ball(language: Language) -> Person {
+    let mut person = Person::in_empty_scene(language);
+    person.use_tool(&say("toolbar-sphere"));
+    person.click(&say("material-red-glass"));
+    person
+}
+
+fn with_dialog(language: Language, action: Action) -> Person {
+    let mut person = with_red_ball(language);
+    person.ask(action);
+    person
+}
+
 #[test]
 fn the_start() {
-    in_both(Person::at_the_start, "start");
+    in_both("start", Person::at_the_start);
 }
 
 #[test]
 fn a_scene_with_a_red_glass_ball() {
-    let state = |language| {
-        let mut person = Person::in_empty_scene(language);
-        person.click(&say("toolbar-sphere"));
-        person.click(&say("material-red-glass"));
+    in_both("scene", with_red_ball);
+}
+
+#[test]
+fn the_dialog_that_adds_a_box() {
+    let new = NewThing { list: ListName::Object, kind: "box" };
+    in_both("add", |language| with_dialog(language, Action::AddDialog(new)));
+}
+
+#[test]
+fn the_settings_of_a_model() {
+    in_both("model", |language| {
+        let mut person = with_red_ball(language);
+        let path = person.path("vase.obj");
+        std::fs::write(&path, vase()).unwrap();
+        person.open(path);
         person
-    };
-    in_both(state, "scene");
+    });
+}
+
+/// A vase, turned: rings of points, wide in the middle.
+fn vase() -> String {
+    const AROUND: usize = 48;
+    let profile =
+        [[0.18, 0.0], [0.3, 0.12], [0.36, 0.3], [0.3, 0.5], [0.16, 0.68], [0.14, 0.78], [0.22, 0.9]];
+    let mut text = String::new();
+    for [radius, y] in profile {
+        for i in 0..AROUND {
+            let at = vec2(radius, 0.0);
+            let angle = std::f32::consts::TAU * i as f32 / AROUND as f32;
+            let at = eframe::egui::emath::Rot2::from_angle(angle) * at;
+            text += &format!("v {:.4} {y} {:.4}\n", at.x, at.y);
+        }
+    }
+    for ring in 0..profile.len() - 1 {
+        for i in 0..AROUND {
+            let [a, b] = [i, (i + 1) % AROUND].map(|i| ring * AROUND + i + 1);
+            text += &format!("f {a} {} {} {b}\n", a + AROUND, b + AROUND);
+        }
+    }
+    text
+}
+
+#[test]
+fn the_dialog_that_saves_the_picture() {
+    in_both("save", |language| {
+        let mut person = with_dialog(language, Action::SavePicture);
+        // Not where this home happens to be.
+        let folder = person.home.path().parent().unwrap().to_owned();
+        let field = say("dialog-save-path");
+        person.enter(&field, &folder.join("ball.png").display().to_string());
+        person
+    });
+}
+
+#[test]
+fn the_settings() {
+    in_both("settings", |language| with_dialog(language, Action::Show(Screen::Settings)));
+}
+
+#[test]
+fn the_glossary() {
+    in_both("glossary", |language| with_dialog(language, Action::Show(Screen::Glossary)));
+}
+
+#[test]
+fn the_camera() {
+    in_both("camera", |language| with_dialog(language, Action::Select(vec![Thing::Camera])));
 }

@@ -5,5 +5,9 @@
 mod support;
 
 mod course_work;
+mod editing;
+mod everywhere;
+mod files;
 mod looks;
 mod person;
+mod picture;

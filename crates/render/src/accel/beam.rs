@@ -69,7 +69,8 @@ impl<E: Simd> Beam<E> {
         self.meets(e, &near, &far, t_max)
     }
 
-    /// The boxes between lower and upper corners that some ray may meet before `t_max`, a bit for each.
+    /// The boxes between lower and upper corners that some ray may meet before `t_max`, a bit for each. A triangle whose box is not
+    /// among them is met by no ray: its own test asks for its box, too.
     #[inline(always)]
     pub fn meets_boxes(&self, e: E, [mut near, mut far]: [[E::F; 3]; 2], t_max: f32) -> u32 {
         for k in 0..3 {

@@ -4,7 +4,7 @@ use super::beam::{Beam, greatest};
 use super::packet::{Entry, Packet, splat3};
 use super::packet_walk::walk_together;
 use super::primitives::sphere;
-use super::primitives::triangle::{BLOCK_TRIANGLES, Crossing, ORDER, Sheared, crossing, fastest_axis};
+use super::primitives::triangle::{BLOCK_TRIANGLES, Crossing, ORDER, Sheared, fastest_axis, inside, normal};
 use super::rays::{Bundle, Level, Rays, Receive, SphereLeaf, TriangleLeaf};
 #[cfg(target_arch = "x86_64")]
 use super::simd::{Avx2, Avx512};
@@ -104,7 +104,8 @@ where
             let place = near.trailing_zeros() as usize;
             near &= near - 1;
             let corners = [corner(s, a, axis, place), corner(s, b, axis, place), corner(s, c, axis, place)];
-            if let Some(hit) = crossing(s, &ray, &corners, mask) {
+            if let Some(inside) = inside(s, &ray, &corners, mask) {
+                let hit = inside.crossing(s, &ray, &normal(s, &corners));
                 receive.crossing(s, &hit, entry.near, leaf.surface(place));
             }
         }
@@ -148,6 +149,7 @@ fn one_by_one<S: Rays, R: Receive<S>>(
             o: splat3(e, [o[x][lane], o[y][lane], o[z][lane]]),
             d: splat3(e, [d[x][lane], d[y][lane], d[z][lane]]),
             slope: [e.splat(d[x][lane] * slope), e.splat(d[y][lane] * slope)],
+            inv: splat3(e, [inv[x][lane], inv[y][lane], slope]),
         };
         let Some((mut bits, hits)) = leaf.crossed(e, &ray, axis, s.lane(receive.t_max(s), lane)) else {
             continue;

@@ -1,8 +1,8 @@
 //! The two levels of trees: the scene's, whose leaves hold forms of every kind, and a mesh's, whose leaves hold triangles.
 
 use super::packet::Entry;
-use super::primitives::{cuboid, sphere};
-use super::rays::{Bundle, Level, Rays, Receive, SphereLeaf, TriangleLeaf};
+use super::primitives::{cuboid, disc, sphere};
+use super::rays::{Bundle, Level, Rays, Receive, SphereLeaf, Surface, TriangleLeaf};
 use super::simd::Simd;
 use super::tree::Child;
 use super::{Accel, Instance, leaf};
@@ -51,6 +51,14 @@ impl<'a, S: Rays, R: Receive<S>> Level<S> for SceneLevel<'a, R> {
                     let (middle, radius) = ([s.splat(0.0); 3], s.splat(1.0));
                     if let Some(span) = sphere::span(s, &inside, &middle, radius, entry.mask) {
                         receive.span(s, &span, entry.near, unit.primitive);
+                    }
+                }
+            }
+            leaf::DISC => {
+                for disc in &accel.discs[first..first + count] {
+                    if let Some(hit) = disc::crossing(s, packet, disc, entry.mask) {
+                        let surface = Surface { primitive: disc.primitive, triangle: 0, mesh: None };
+                        receive.crossing(s, &hit, entry.near, surface);
                     }
                 }
             }

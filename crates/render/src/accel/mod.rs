@@ -1,7 +1,7 @@
 //! Ray casting: what is the nearest thing along a ray, and how much light passes along a shadow ray.
 //!
 //! Two levels: one tree over the scene's primitives, one over each mesh, so that moving an object never touches its
-//! triangles. Leaves are typed: spheres, boxes, ellipsoids and triangles stay exact, meshes are entered through their own
+//! triangles. Leaves are typed: spheres, boxes, ellipsoids, discs and triangles stay exact, meshes are entered through their own
 //! space. Planes have no box and are tested first. Rays go in packets, a ray a lane ([`simd`]).
 
 mod beam;
@@ -31,6 +31,7 @@ pub use mesh::MeshAccel;
 pub use validate::AccelFlaw;
 
 use primitives::cuboid::Unit;
+use primitives::disc::Disc;
 use primitives::plane::Plane;
 use primitives::sphere::{Sphere, SphereBlock};
 use primitives::triangle::TriangleBlock;
@@ -46,6 +47,7 @@ mod leaf {
     pub const ELLIPSOID: u8 = 2;
     pub const TRIANGLE: u8 = 3;
     pub const MESH: u8 = 4;
+    pub const DISC: u8 = 5;
 }
 
 /// A mesh of more blocks of triangles is so fine that packets of 32 camera rays fall apart in it, and those of 16 are faster.
@@ -100,6 +102,8 @@ pub struct Primitives {
     pub boxes: Vec<(Unit, Bounds3)>,
     /// Balls of radius 1 in a space of their own.
     pub ellipsoids: Vec<(Unit, Bounds3)>,
+    /// Discs.
+    pub discs: Vec<(Disc, Bounds3)>,
     /// Single triangles: their corners, and their places among the scene's primitives.
     pub triangles: Vec<([Vec3; 3], u32)>,
     /// Meshes.
@@ -116,6 +120,7 @@ pub struct Accel {
     spheres: Vec<SphereBlock>,
     boxes: Vec<Unit>,
     ellipsoids: Vec<Unit>,
+    discs: Vec<Disc>,
     triangles: Vec<TriangleBlock>,
     instances: Vec<Instance>,
     materials: Vec<MaterialSlots>,
@@ -140,12 +145,14 @@ impl Accel {
         let all = items(leaf::SPHERE, &p.spheres)
             .chain(items(leaf::BOX, &p.boxes))
             .chain(items(leaf::ELLIPSOID, &p.ellipsoids))
+            .chain(items(leaf::DISC, &p.discs))
             .chain(p.triangles.iter().enumerate().map(single))
             .chain(items(leaf::MESH, &p.instances));
         let blocks = p.instances.iter().map(|(i, _)| i.mesh.blocks.len()).max().unwrap_or(0);
         let is_coarse = blocks <= COARSE;
         let (mut spheres, mut triangles) = (Vec::new(), Vec::new());
-        let (mut boxes, mut ellipsoids, mut instances) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut boxes, mut ellipsoids, mut discs) = (Vec::new(), Vec::new(), Vec::new());
+        let mut instances = Vec::new();
         let tree = Tree::build(all.collect(), LEAVES, &mut |kind, items| {
             let of = |i: &Item| i.index() as usize;
             match kind {
@@ -159,6 +166,7 @@ impl Accel {
                 }
                 leaf::BOX => append(&mut boxes, items.iter().map(|i| p.boxes[of(i)].0)),
                 leaf::ELLIPSOID => append(&mut ellipsoids, items.iter().map(|i| p.ellipsoids[of(i)].0)),
+                leaf::DISC => append(&mut discs, items.iter().map(|i| p.discs[of(i)].0)),
                 _ => append(&mut instances, items.iter().map(|i| p.instances[of(i)].0.clone())),
             }
         });
@@ -167,6 +175,7 @@ impl Accel {
             spheres,
             boxes,
             ellipsoids,
+            discs,
             triangles,
             instances,
             planes: p.planes,
@@ -204,6 +213,7 @@ impl Accel {
             + size_of_val(&*self.spheres)
             + size_of_val(&*self.boxes)
             + size_of_val(&*self.ellipsoids)
+            + size_of_val(&*self.discs)
             + size_of_val(&*self.triangles)
             + size_of_val(&*self.instances)
     }

@@ -4,7 +4,7 @@ use super::MeshAccel;
 use super::packet::{Entry, Packet};
 use super::primitives::Span;
 use super::primitives::sphere::SphereBlock;
-use super::primitives::triangle::{BLOCK_TRIANGLES, Crossing, ORDER, Sheared, TriangleBlock, crossing};
+use super::primitives::triangle::{BLOCK_TRIANGLES, Crossing, ORDER, Sheared, TriangleBlock, inside, normal};
 use super::simd::Simd;
 use super::single::One;
 use super::tree::{Child, Node};
@@ -12,7 +12,7 @@ use super::tree::{Child, Node};
 /// Rays in lanes, as far as single rays and packets differ.
 ///
 /// What a ray meets does not depend on which of them does it: tests have the same digits, and a hit counts exactly if the ray
-/// enters the leaf's box by [`Packet::meets_box`].
+/// enters the leaf's box, and a triangle's own box, by [`Packet::meets_box`].
 pub trait Rays: Simd {
     /// A vector unit of eight lanes.
     type Eight: Simd;
@@ -94,7 +94,7 @@ impl TriangleLeaf<'_> {
         let [a, b, c] = &self.block.corners;
         let zero = e.splat(0.0);
         let corners = [corner(e, a, axis), corner(e, b, axis), corner(e, c, axis)];
-        let hit = crossing(e, ray, &corners, e.le(zero, zero))?;
+        let hit = inside(e, ray, &corners, e.le(zero, zero))?.crossing(e, ray, &normal(e, &corners));
         let in_time = e.and(e.lt(zero, hit.t), e.le(hit.t, e.splat(t_max)));
         let bits = e.bits(e.and(hit.mask, in_time));
         if bits == 0 {

@@ -109,8 +109,9 @@ impl<E: Simd> Rays for One<E> {
     ) {
         let e = self.0;
         let axis = fastest_axis(ray.packet.d);
-        let Sheared { o, d, slope: [x, y] } = ray.packet.sheared(self, axis);
-        let sheared = Sheared { o: splat3(e, o), d: splat3(e, d), slope: [e.splat(x), e.splat(y)] };
+        let Sheared { o, d, slope: [x, y], inv } = ray.packet.sheared(self, axis);
+        let slope = [e.splat(x), e.splat(y)];
+        let sheared = Sheared { o: splat3(e, o), d: splat3(e, d), slope, inv: splat3(e, inv) };
         let t_max = receive.t_max(self);
         let Some((mut bits, hits)) = leaf.crossed(e, &sheared, axis, t_max) else { return };
         while bits != 0 {

@@ -66,7 +66,7 @@ impl<T: Copy> Stack<'_, T> {
     /// Lets the value on top sink to its place among those above `bottom`, which `is_above` has sorted already.
     #[inline(always)]
     pub fn sink(&mut self, bottom: usize, is_above: impl Fn(&T, &T) -> bool) {
-        let mut place = self.top.saturating_sub(1);
+        let Some(mut place) = self.top.checked_sub(1) else { return };
         // SAFETY: all these places are below `top`.
         unsafe {
             let value = self.places[place].assume_init();
@@ -76,5 +76,46 @@ impl<T: Copy> Stack<'_, T> {
             }
             self.places[place].write(value);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::accel::tests::Numbers;
+
+    #[test]
+    fn a_stack_gives_back_what_was_put_onto_it_in_turn() {
+        let (mut room, mut numbers, mut truth) = (Room::new(), Numbers(3), Vec::<(usize, f32)>::new());
+        let mut stack = room.stack();
+        for i in 0..500 {
+            if numbers.next() < 0.3 && truth.len() < STACK {
+                stack.push((i, numbers.next()));
+                truth.push(stack.peek().expect("just put there"));
+            } else {
+                assert_eq!(stack.pop(), truth.pop());
+            }
+            assert_eq!((stack.len(), stack.peek()), (truth.len(), truth.last().copied()));
+        }
+        let mut room = Room::new();
+        let mut stack = room.stack();
+        (0..STACK).for_each(|i| stack.push(i));
+        assert!((0..STACK).rev().all(|i| stack.pop() == Some(i)) && stack.pop().is_none());
+    }
+
+    #[test]
+    fn values_sink_to_their_places_above_the_bottom_and_no_farther() {
+        let (mut room, mut numbers) = (Room::new(), Numbers(4));
+        let mut stack = room.stack();
+        stack.sink(0, |_, _| true);
+        (0..3).for_each(|_| stack.push(-2.0));
+        let mut truth: Vec<f32> = (0..40).map(|_| numbers.next()).collect();
+        for value in &truth {
+            stack.push(*value);
+            stack.sink(3, |below, value| below < value);
+        }
+        truth.sort_by(f32::total_cmp);
+        truth.extend([-2.0; 3]);
+        assert!(truth.iter().all(|value| stack.pop() == Some(*value)) && stack.pop().is_none());
     }
 }

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::accel::tree::{Node, WIDTH};
-use vitrine_math::{Mat3, Ray, Vec3, hash};
+use vitrine_math::{Mat3, Ray, Transform, Vec3, hash};
 
 /// Numbers from −1 to 1.
 pub(super) struct Numbers(pub u32);
@@ -20,6 +20,11 @@ impl Numbers {
 
 pub(super) fn around(center: Vec3, radius: f32) -> Bounds3 {
     Bounds3 { min: center - Vec3::splat(radius), max: center + Vec3::splat(radius) }
+}
+
+/// Fewer where each costs much: under Miri.
+pub(super) const fn few(count: usize) -> usize {
+    if cfg!(miri) { count.div_ceil(100) } else { count }
 }
 
 /// A mesh of triangles that share no corners.
@@ -76,6 +81,15 @@ pub(super) fn scene(seed: u32) -> Accel {
         p.materials[primitive as usize] = MaterialSlots { first: 0, by_triangle: k > 0 };
         let instance = Instance { mesh_from_world: world.inverse(), mesh: mesh.clone(), primitive };
         p.instances.push((instance, around(center, 2.0 * 1.4 * 3.0_f32.sqrt())));
+    }
+    for _ in 0..20 {
+        let turn = vitrine_math::rotation_from_turn(numbers.vector() * 180.0);
+        let size = Vec3::splat(0.2) + numbers.vector().abs();
+        let center = numbers.vector() * 5.0;
+        let world = Affine3A::from_mat3_translation(turn * Mat3::from_diagonal(size), center);
+        let unit = Transform { world_from_object: world, object_from_world: world.inverse() };
+        let disc = Disc::new(&unit, id(&mut p));
+        p.discs.push((disc, around(center, size.length())));
     }
     Accel::new(p, vec![0.0, 0.25, 0.5])
 }
@@ -136,12 +150,12 @@ fn transmittance(accel: &Accel, rays: &RayStream) -> Vec<f32> {
 
 #[test]
 fn the_tree_changes_no_hit_and_no_shadow() {
-    for seed in 0..6 {
+    for seed in (0..6).take(few(6)) {
         let (tree, all) = (scene(seed), without_tree(scene(seed)));
-        let rays = rays(seed, 3000);
+        let rays = rays(seed, few(3000));
         let hits = closest(&tree, &rays);
         assert_eq!(hits, closest(&all, &rays));
-        assert!(hits.iter().flatten().count() > 1000, "the test must test something");
+        assert!(hits.iter().flatten().count() > hits.len() / 3, "the test must test something");
         let a = transmittance(&tree, &rays);
         assert_eq!(a, transmittance(&all, &rays));
         assert!(a.iter().any(|t| *t > 0.0 && *t < 1.0) && a.contains(&0.0) && a.contains(&1.0));
@@ -151,10 +165,10 @@ fn the_tree_changes_no_hit_and_no_shadow() {
 /// Single rays, whole packets and packets that fall apart must find the same.
 #[test]
 fn single_rays_find_what_packets_find() {
-    for seed in 20..24 {
+    for seed in (20..24).take(few(4)) {
         for set in Instructions::available() {
             let accel = scene(seed).with_instructions(set);
-            let stream = rays(seed, 3000);
+            let stream = rays(seed, few(3000));
             let alone: Vec<_> = (0..stream.len()).map(|i| stream.get(i)).collect();
             let mut hits = vec![None; alone.len()];
             accel.closest_each(&alone, &mut hits);
@@ -174,11 +188,11 @@ fn single_rays_find_what_packets_find() {
 
 #[test]
 fn every_instruction_set_gives_the_same_bits() {
-    for seed in 10..14 {
+    for seed in (10..14).take(few(4)) {
         let mut results = Vec::new();
         for set in Instructions::available() {
             let accel = scene(seed).with_instructions(set);
-            let rays = rays(seed, 2000);
+            let rays = rays(seed, few(2000));
             results.push((closest(&accel, &rays), transmittance(&accel, &rays)));
         }
         assert!(results.iter().all(|r| *r == results[0]));
@@ -189,7 +203,7 @@ fn every_instruction_set_gives_the_same_bits() {
 #[test]
 fn going_on_after_each_hit_meets_what_the_shadow_ray_crosses() {
     let accel = scene(3);
-    let rays = rays(5, 500);
+    let rays = rays(5, few(500));
     for (i, passes) in transmittance(&accel, &rays).iter().enumerate() {
         let mut one = RayStream::default();
         one.push(&rays.get(i));
@@ -272,8 +286,9 @@ fn a_ray_that_ends_before_it_begins_finds_nothing() {
 fn net() -> (Accel, Vec<Ray>) {
     let turn = vitrine_math::rotation_from_turn(Vec3::new(30.0, 40.0, 10.0));
     let knot = |i: u32, j: u32| Vec3::new(i as f32, 0.0, j as f32) - Vec3::new(10.0, 0.0, 10.0);
+    let side = if cfg!(miri) { 4 } else { 20 };
     let mut triangles = Vec::new();
-    for (i, j) in (0..20).flat_map(|i| (0..20).map(move |j| (i, j))) {
+    for (i, j) in (0..side).flat_map(|i| (0..side).map(move |j| (i, j))) {
         let [a, b, c, d] = [knot(i, j), knot(i + 1, j), knot(i + 1, j + 1), knot(i, j + 1)];
         triangles.extend([[a, b, c], [a, c, d]]);
     }
@@ -288,8 +303,9 @@ fn net() -> (Accel, Vec<Ray>) {
         p.materials.push(MaterialSlots { first: 0, by_triangle: false });
     }
     let mut numbers = Numbers(77);
-    let rays = (0..6000_u32).map(|k| {
-        let at = turn * (knot(k % 20, k / 20 % 20) + Vec3::new(if k % 3 == 0 { 0.5 } else { 0.0 }, 0.0, 0.0));
+    let rays = (0..few(6000) as u32).map(|k| {
+        let at = turn
+            * (knot(k % side, k / side % side) + Vec3::new(if k % 3 == 0 { 0.5 } else { 0.0 }, 0.0, 0.0));
         let origin = numbers.vector() * 30.0;
         Ray::new(origin, (at - origin).normalize())
     });
@@ -309,10 +325,12 @@ fn a_hit_does_not_depend_on_the_rays_beside_it() {
     };
     let in_order: Vec<_> = (0..rays.len()).collect();
     let hits = trace(&in_order);
-    assert!(hits.iter().flatten().count() > 5000);
+    assert!(hits.iter().flatten().count() > hits.len() * 5 / 6);
     for step in [7, 11, 1201, 3001] {
         let other: Vec<_> = (0..rays.len()).map(|i| i * step % rays.len()).collect();
         let differ = trace(&other).iter().zip(&hits).filter(|(a, b)| a != b).count();
         assert_eq!(differ, 0, "of {} rays", rays.len());
     }
 }
+
+mod edge_on;

@@ -3,13 +3,14 @@
 //! Compiling needs none of it, for trees are right by construction. Tests and people who look for a fault call it.
 
 use super::primitives::cuboid::Unit;
+use super::primitives::disc::Disc;
 use super::primitives::sphere::{BLOCK_SPHERES, SphereBlock};
 use super::primitives::triangle::{BLOCK_TRIANGLES, TriangleBlock};
 use super::tree::{LeafFound, TreeFlaw};
 use super::{Accel, MeshAccel, leaf};
 use std::collections::BTreeSet;
 use std::sync::Arc;
-use vitrine_math::{Affine3A, Bounds3, Vec3};
+use vitrine_math::{Bounds3, Vec3};
 
 /// What can be wrong with a scene that is ready for rays.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -74,6 +75,7 @@ impl Accel {
                 vec![false; self.ellipsoids.len()],
                 vec![false; self.triangles.len()],
                 vec![false; self.instances.len()],
+                vec![false; self.discs.len()],
             ],
         };
         self.tree.validate(&mut |found| met.leaf(found))?;
@@ -105,7 +107,7 @@ struct Met<'a> {
     outline: &'a dyn Fn(u32) -> Option<Bounds3>,
     primitives: Vec<bool>,
     /// Blocks and forms by kind.
-    places: [Vec<bool>; 5],
+    places: [Vec<bool>; 6],
 }
 
 impl Met<'_> {
@@ -128,24 +130,27 @@ impl Met<'_> {
             }
             leaf::BOX => self.forms(found, &accel.boxes, unit),
             leaf::ELLIPSOID => self.forms(found, &accel.ellipsoids, unit),
-            leaf::MESH => self.forms(found, &accel.instances, |i| (i.primitive, &i.mesh_from_world)),
+            leaf::MESH => {
+                self.forms(found, &accel.instances, |i| (i.primitive, i.mesh_from_world.is_finite()))
+            }
+            leaf::DISC => self.forms(found, &accel.discs, disc),
             _ => None,
         }
     }
 
-    /// Forms with spaces of their own, each with its primitive and the way into its space.
+    /// Forms with spaces of their own, each with its primitive and whether its numbers are finite.
     fn forms<T>(
         &mut self,
         LeafFound { kind, first, count }: LeafFound,
         forms: &[T],
-        parts: impl Fn(&T) -> (u32, &Affine3A),
+        parts: impl Fn(&T) -> (u32, bool),
     ) -> Option<Bounds3> {
         let (first, count, mut all) = (first as usize, count as usize, Bounds3::EMPTY);
         for (place, form) in forms.get(first..first.checked_add(count)?)?.iter().enumerate() {
-            let (primitive, inwards) = parts(form);
+            let (primitive, is_finite) = parts(form);
             self.place(kind, first + place)?;
             self.primitive(primitive)?;
-            if !inwards.is_finite() {
+            if !is_finite {
                 return None;
             }
             all = all.union((self.outline)(primitive).unwrap_or(Bounds3::EMPTY));
@@ -166,8 +171,14 @@ impl Met<'_> {
     }
 }
 
-fn unit(form: &Unit) -> (u32, &Affine3A) {
-    (form.primitive, &form.unit_from_world)
+fn unit(form: &Unit) -> (u32, bool) {
+    (form.primitive, form.unit_from_world.is_finite())
+}
+
+fn disc(form: &Disc) -> (u32, bool) {
+    let [u, v] = form.across.map(Vec3::from);
+    let is_finite = Vec3::from(form.center).is_finite() && u.is_finite() && v.is_finite();
+    (form.primitive, is_finite && Vec3::from(form.n).is_normalized())
 }
 
 /// Notes that something has been met; None when it is not there or was met before.

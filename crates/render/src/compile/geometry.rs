@@ -5,6 +5,7 @@ use super::materials::MaterialTable;
 use super::models::Models;
 use super::touching::drawn_back;
 use crate::accel::primitives::cuboid::Unit;
+use crate::accel::primitives::disc::Disc;
 use crate::accel::primitives::plane::Plane;
 use crate::accel::primitives::sphere::Sphere;
 use crate::accel::{Instance, MaterialSlots, MeshAccel, Primitives};
@@ -48,6 +49,13 @@ pub enum Form {
         /// From that space to the world.
         unit: Transform,
     },
+    /// The disc y = 0, x² + z² ≤ 1 of a space of its own.
+    Disc {
+        /// From that space to the world.
+        unit: Transform,
+        /// The unit normal in the world.
+        n: Vec3,
+    },
     /// A plane.
     Plane {
         /// One of its points.
@@ -82,6 +90,7 @@ impl Primitive {
     pub fn outline(&self) -> Option<Bounds3> {
         match &self.form {
             Form::Box { unit } | Form::Ellipsoid { unit } => Some(unit_bounds(unit)),
+            Form::Disc { unit, .. } => Some(disc_bounds(unit)),
             Form::Mesh { bounds, .. } => Some(self.transform.bounds(bounds)),
             Form::Sphere { .. } | Form::Plane { .. } | Form::Triangle { .. } => None,
         }
@@ -152,12 +161,14 @@ impl Collection {
             Geometry::Sphere { radius } => self.sphere(radius, transform),
             Geometry::Box { half } => self.cuboid(half, transform),
             Geometry::Plane => self.plane(transform),
+            Geometry::Disc { radius } => self.disc(radius, transform),
             Geometry::Triangle { points, uvs } => self.triangle(points.map(|p| transform.point(p)), uvs),
             Geometry::Mesh(mesh) => self.mesh(object, mesh, true, transform)?,
             Geometry::Facets(mesh) => self.mesh(object, mesh, false, transform)?,
         };
         let (is_near, is_wide) = match &form {
             Form::Plane { point, n } => (is_near_enough(&Bounds3::around([*point])) && n.is_finite(), true),
+            Form::Disc { unit, n } => (true, is_wide_enough(unit) && n.is_finite()),
             Form::Box { unit } | Form::Ellipsoid { unit } => (true, is_wide_enough(unit)),
             Form::Sphere { .. } | Form::Triangle { .. } | Form::Mesh { .. } => (true, true),
         };
@@ -201,6 +212,14 @@ impl Collection {
         let offset = n.dot(point);
         self.collected.planes.push(Plane { n: n.into(), offset, primitive: self.next_id() });
         (Form::Plane { point, n }, Bounds3::EMPTY)
+    }
+
+    fn disc(&mut self, radius: f32, transform: &Transform) -> (Form, Bounds3) {
+        let size = Vec3::new(radius, 1.0, radius);
+        let unit = transform.after(&Transform::from_place(Vec3::ZERO, Vec3::ZERO, size));
+        let (disc, bounds) = (Disc::new(&unit, self.next_id()), disc_bounds(&unit));
+        self.collected.discs.push((disc, bounds));
+        (Form::Disc { unit, n: disc.n.into() }, bounds)
     }
 
     fn triangle(&mut self, points: [Vec3; 3], uvs: [[f32; 2]; 3]) -> (Form, Bounds3) {
@@ -249,6 +268,17 @@ fn unit_form(half: Vec3, transform: &Transform, primitive: u32) -> (Transform, U
 /// The box around the cube from −1 to 1 of a space.
 fn unit_bounds(unit: &Transform) -> Bounds3 {
     unit.bounds(&Bounds3 { min: Vec3::NEG_ONE, max: Vec3::ONE })
+}
+
+/// The box around the disc y = 0, x² + z² ≤ 1 of a space.
+fn disc_bounds(unit: &Transform) -> Bounds3 {
+    let m = &unit.world_from_object;
+    // No number where the space is stretched too much across the disc, which its box does not show else.
+    let center = unit.point(Vec3::ZERO);
+    let (x, z) = (m.matrix3.x_axis, m.matrix3.z_axis);
+    // x·cos φ + z·sin φ is at most √(x² + z²).
+    let reach = Vec3::from_array([0, 1, 2].map(|k| libm::hypotf(x[k], z[k])));
+    Bounds3 { min: center - reach, max: center + reach }
 }
 
 /// The unit normal of a triangle, counter-clockwise seen from its tip; any unit vector for one without area.

@@ -38,6 +38,14 @@ impl Primitive {
                 let local = moved(s, &self.transform.object_from_world, p);
                 [local[0], s.sub(s.splat(0.0), local[2])]
             }
+            // The square around it, seen from above: right is +x, up is −z.
+            Form::Disc { unit, .. } => {
+                let [x, _, z] = moved(s, &unit.object_from_world, p);
+                let (half, one, minus) = (s.splat(0.5), s.splat(1.0), s.splat(-1.0));
+                // On the rim rounding must not reach the picture's other side.
+                let (x, z) = (s.max(s.min(x, one), minus), s.max(s.min(z, one), minus));
+                [s.mul(half, s.add(one, x)), s.mul(half, s.sub(one, z))]
+            }
             Form::Triangle { uvs, .. } => {
                 let (b, c) = (s.load(&at.hits.u[at.start..]), s.load(&at.hits.v[at.start..]));
                 let shares = [s.sub(s.sub(s.splat(1.0), b), c), b, c];
@@ -69,7 +77,9 @@ impl Primitive {
                 let corners = mesh.triangles[hit.triangle as usize];
                 mix(corners.map(|i| mesh.uvs[i as usize]), hit.uv).into()
             }
-            Form::Plane { .. } | Form::Triangle { .. } => unreachable!("lanes have their own formula"),
+            Form::Plane { .. } | Form::Disc { .. } | Form::Triangle { .. } => {
+                unreachable!("lanes have their own formula")
+            }
         }
     }
 }

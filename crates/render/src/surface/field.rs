@@ -48,6 +48,10 @@ impl NormalField {
                 ..Self::default()
             },
             Form::Plane { point, n } => flat(&[*point], n),
+            Form::Disc { unit, n } => {
+                let reach = reach_of(unit, Vec3::new(1.0, 0.0, 1.0));
+                Self { reach, ..flat(&[unit.point(Vec3::ZERO)], n) }
+            }
             Form::Triangle { points, n, .. } => flat(points, n),
             Form::Box { unit } | Form::Ellipsoid { unit } => other(reach_of(unit, Vec3::ONE)),
             Form::Mesh { bounds, .. } => {

@@ -94,7 +94,7 @@ impl Primitive {
                 let smooth = on_mesh(s, mesh, &self.transform, lanes, arrival.at);
                 if *is_smooth { smooth } else { Outward { smooth: smooth.n, ..smooth } }
             }
-            Form::Sphere { .. } | Form::Plane { .. } | Form::Triangle { .. } => {
+            Form::Sphere { .. } | Form::Plane { .. } | Form::Disc { .. } | Form::Triangle { .. } => {
                 unreachable!("its normals follow the one formula")
             }
         }

@@ -1,7 +1,7 @@
 //! Rays that leave a surface do not hit it again, at any scale: a convex thing alone never stands in its own light, so its
 //! picture with shadows is that of ray casting, which has none, bit for bit.
 
-use crate::common::{Dice, Shot, ball, cuboid, matte, plane, triangle, v};
+use crate::common::{Dice, Shot, ball, cuboid, disc, matte, plane, triangle, v};
 use crate::models;
 use vitrine_math::{Rgb, Vec3};
 use vitrine_scene::Shape;
@@ -136,6 +136,15 @@ fn c3_planes_do_not_shade_themselves() {
         Thing { name: &name, shape: &shape, stretch: Vec3::ONE, turn_deg, is_hollow: false }
             .check_everywhere();
     }
+}
+
+#[test]
+fn discs_do_not_shade_themselves() {
+    let shape = |_: &mut Shot, s: f32| disc(s);
+    let coin = Thing { name: "disc", shape: &shape, stretch: Vec3::ONE, turn_deg: TURN, is_hollow: false };
+    coin.check_everywhere();
+    Thing { name: "level disc", turn_deg: Vec3::ZERO, ..coin }.check_everywhere();
+    Thing { name: "long disc", stretch: v(3.0, 0.1, 0.4), ..coin }.check_everywhere();
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Whole pictures against the oracle: random scenes, every pixel.
 
-use crate::common::{Dice, Shot, ball, cuboid, distance, plane, triangle, v};
+use crate::common::{Dice, Shot, ball, cuboid, disc, distance, plane, triangle, v};
 use crate::oracle::Oracle;
 use vitrine_math::{Rgb, Vec3};
 use vitrine_scene::{Material, Object, Shape};
@@ -41,9 +41,10 @@ fn place(dice: &mut Dice, object: &mut Object) {
 }
 
 fn shape(dice: &mut Dice) -> Shape {
-    match (dice.unit() * 3.0) as u32 {
+    match (dice.unit() * 4.0) as u32 {
         0 => ball(dice.between(0.2, 1.0)),
         1 => cuboid(v(dice.between(0.3, 2.0), dice.between(0.3, 2.0), dice.between(0.3, 2.0))),
+        2 => disc(dice.between(0.4, 1.5)),
         _ => triangle([dice.vector() * 1.5, dice.vector() * 1.5, dice.vector() * 1.5]),
     }
 }

@@ -1,13 +1,15 @@
 //! Scenes that are missing something, or hold awkward numbers: a clear error or a picture, never a panic and never a number
 //! that is none.
 
-use crate::common::{GREEN, RED, Shot, assert_near, ball, cuboid, flat, glass, matte, plane, triangle, v};
+use crate::common::{
+    GREEN, RED, Shot, assert_near, ball, cuboid, disc, flat, glass, matte, plane, triangle, v,
+};
 use crate::models;
 use vitrine_math::{Rgb, Vec3};
 use vitrine_render::{CompileError, ModelFlaw, compile};
 use vitrine_scene::shapes::Mesh;
 use vitrine_scene::textures::PictureFile;
-use vitrine_scene::{Material, MeshMaterial, Shape, TextureSource, TriangleMesh};
+use vitrine_scene::{Group, Material, MeshMaterial, Shape, TextureSource, TriangleMesh};
 
 fn error(shot: &Shot) -> CompileError {
     compile(&shot.scene, &shot.assets).expect_err("the scene does not compile")
@@ -95,7 +97,8 @@ fn what_is_too_large_or_too_far_is_refused_by_name() {
     let shape = |shot: &mut Shot, kind: u32, s: f32| match kind {
         0 => ball(s),
         1 => cuboid(v(1.0, s, 1.0)),
-        2 => triangle([Vec3::ZERO, v(s, 0.0, 0.0), v(0.0, 1.0, 0.0)]),
+        2 => disc(s),
+        3 => triangle([Vec3::ZERO, v(s, 0.0, 0.0), v(0.0, 1.0, 0.0)]),
         _ => shot.model(models::faceted_ball(s, 2)),
     };
     let refused = |kind: u32, size: f32, position: Vec3| {
@@ -105,7 +108,7 @@ fn what_is_too_large_or_too_far_is_refused_by_name() {
         (object.name, object.position) = ("giant".into(), position);
         assert_eq!(error(&shot), CompileError::OutOfRange { object: "giant".into() });
     };
-    for kind in 0..4 {
+    for kind in 0..5 {
         [3e12_f32, 1e30, 3e38].into_iter().for_each(|size| refused(kind, size, Vec3::ZERO));
         refused(kind, 1.0, v(0.0, -1e30, 0.0));
     }
@@ -218,13 +221,30 @@ fn flat_boxes_are_sheets() {
     }
 }
 
+/// Twice as much would be no number, which its box does not show.
+#[test]
+fn a_disc_may_be_stretched_across_itself_as_far_as_numbers_go() {
+    let mut shot = Shot::probe(v(0.3, 2.0, 0.1), v(0.2, 0.0, 0.0));
+    shot.put(disc(2.0), flat(GREEN)).scale = v(1.0, 3.4e38, 1.0);
+    shot.ambient(1.0);
+    assert_eq!(shot.compiled().validate(), Ok(()));
+    assert_eq!(shot.pixel(), GREEN);
+    let group = Group { name: "tall".into(), scale: v(1.0, 2.0, 1.0), ..Group::default() };
+    shot.scene.groups.push(group);
+    let object = &mut shot.scene.objects[0];
+    (object.name, object.group) = ("giant".into(), Some("tall".into()));
+    assert_eq!(error(&shot), CompileError::OutOfRange { object: "giant".into() });
+}
+
 #[test]
 fn what_is_too_thin_is_refused_by_name() {
     for size in [1e-19_f32, 1e-30, 1e-38, 1e-45] {
-        let shapes: [(Shape, Vec3); 4] = [
+        let shapes: [(Shape, Vec3); 6] = [
             (cuboid(v(1.0, size, 1.0)), Vec3::ONE),
             (ball(1.0), v(size.max(1e-38), 1.0, 1.0)),
             (plane(), v(1.0, size.max(1e-38), 1.0)),
+            (disc(size), Vec3::ONE),
+            (disc(1.0), v(1.0, size.max(1e-38), 1.0)),
             (triangle([Vec3::ZERO, Vec3::X, Vec3::Y]), Vec3::splat(size.max(1e-38))),
         ];
         for (shape, scale) in shapes {

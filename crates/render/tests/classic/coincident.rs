@@ -1,7 +1,7 @@
 //! C11: things that stand exactly on others. A face of glass in the plane of the floor shows the floor through both faces of
 //! the glass everywhere: no speckles where rounding would put the floor before the lower face.
 
-use crate::common::{BLUE, GREEN, RED, Shot, cuboid, distance, flat, glass, matte, plane, triangle, v};
+use crate::common::{BLUE, GREEN, RED, Shot, cuboid, disc, distance, flat, glass, matte, plane, triangle, v};
 use crate::models;
 use vitrine_math::{Rgb, Vec3};
 use vitrine_scene::{Group, Shape};
@@ -176,5 +176,25 @@ fn c11_c12_the_floor_under_glass_is_lit_evenly() {
         let even = counts[0] + counts[1] + counts[3] + if faces == 1 { counts[2] } else { 0 };
         assert_eq!(even, 64 * 48, "{floor:?}: {counts:?}");
         assert!(counts[0] > 500 && counts[1] > 50 && counts[3] > 100, "{floor:?}: {counts:?}");
+    }
+}
+
+/// A rug of red glass in the floor's plane: the first in the scene is met first, whatever the tree, and the other behind it.
+#[test]
+fn of_a_disc_and_a_plane_in_one_place_the_first_in_the_scene_counts() {
+    let through = Rgb::new(0.5, 0.5, 0.0);
+    for (rug_first, colors) in [(true, [through, GREEN]), (false, [GREEN, GREEN])] {
+        let mut shot = Shot::new([64, 64], v(0.3, 2.0, 2.5), Vec3::ZERO);
+        let put_rug = |shot: &mut Shot| _ = shot.put(disc(1.0), glass(RED, 0.5));
+        if rug_first {
+            put_rug(&mut shot);
+        }
+        put_floor(&mut shot, Floor::Plane);
+        if !rug_first {
+            put_rug(&mut shot);
+        }
+        shot.ambient(1.0);
+        shot.scene.settings.background = GREEN;
+        assert_only(&shot, &colors);
     }
 }

@@ -6,7 +6,7 @@ use vitrine_film::{Image, Region};
 pub use vitrine_math::{Rgb, Vec3};
 use vitrine_render::{Cancel, CompiledScene, RenderJob, RenderOptions, Rendered, compile};
 use vitrine_scene::lights::{Ambient, Directional, Disc, Point};
-use vitrine_scene::shapes::{Cuboid, Mesh, Plane, Sphere, Triangle};
+use vitrine_scene::shapes::{self, Cuboid, Mesh, Plane, Sphere, Triangle};
 use vitrine_scene::{
     Assets, Camera, Light, LightSource, Material, Object, Renderer, Scene, Settings, Shape, Texture,
     TextureSource, TriangleMesh,
@@ -146,6 +146,10 @@ pub fn cuboid(size: Vec3) -> Shape {
 
 pub fn plane() -> Shape {
     Shape::Plane(Plane {})
+}
+
+pub fn disc(radius: f32) -> Shape {
+    Shape::Disc(shapes::Disc { radius })
 }
 
 pub fn triangle(points: [Vec3; 3]) -> Shape {

@@ -2,7 +2,7 @@
 //! coloured suns along the axes light a white surface by the components of its normal.
 
 use crate::common::{
-    BLUE, Dice, GREEN, RED, Shot, assert_near, ball, cuboid, flat, matte, plane, triangle, v,
+    BLUE, Dice, GREEN, RED, Shot, assert_near, ball, cuboid, disc, flat, matte, plane, triangle, v,
 };
 use crate::models;
 use crate::oracle::{D3, turned};
@@ -143,6 +143,47 @@ fn c3_a_plane_ends_at_the_horizon() {
 }
 
 #[test]
+fn a_disc_is_hit_inside_its_rim_and_from_both_sides() {
+    let mut dice = Dice(4);
+    for (turn_deg, scale) in [
+        (Vec3::ZERO, Vec3::ONE),
+        (v(20.0, 50.0, -65.0), Vec3::splat(0.01)),
+        (v(-70.0, 10.0, 15.0), v(3.0, 0.2, 0.5)),
+        (v(0.0, 0.0, 90.0), v(1.0, -1.0, 2.0)),
+    ] {
+        let center = dice.vector() * 3.0;
+        let mut shot = alone(disc(0.7), |o| (o.position, o.turn_deg, o.scale) = (center, turn_deg, scale));
+        // Its upper side stays the outer one, wherever the scale turns it to.
+        let n = turn(Vec3::Y, turn_deg) * scale.y.signum();
+        for _ in 0..40 {
+            let angle = dice.between(0.0, 6.3);
+            let rim = turn(v(0.7 * angle.cos(), 0.0, 0.7 * angle.sin()) * scale, turn_deg);
+            let aside = (n + dice.direction() * 0.6).normalize() * (20.0 * scale.x);
+            for (part, is_hit) in [(dice.unit() * 0.99, true), (0.9999, true), (1.0001, false)] {
+                let at = center + rim * part;
+                shot.scene.lights.clear();
+                if is_hit {
+                    assert_normal(&shot, at + aside, at, n, 2e-6);
+                    assert_normal(&shot, at - aside, at, -n, 2e-6);
+                }
+                shot.ambient(1.0);
+                assert_eq!(shot.look(at + aside, at) == Rgb::WHITE, is_hit, "{part} of the radius");
+                assert_eq!(shot.look(at - aside, at) == Rgb::WHITE, is_hit, "{part} of the radius");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_disc_seen_from_its_edge_is_not_there() {
+    let mut shot = alone(disc(1.0), |_| ());
+    shot.ambient(1.0);
+    for at in [Vec3::ZERO, v(0.3, 0.0, 0.2), v(1.0, 0.0, 0.0)] {
+        assert_eq!(shot.look(v(5.0, 0.0, 0.0), at), Rgb::BLACK);
+    }
+}
+
+#[test]
 fn c4_a_triangle_is_hit_inside_its_edges_and_from_both_sides() {
     let points = [v(-1.0, -0.5, 0.2), v(1.5, 0.0, -0.4), v(0.1, 1.4, 0.3)];
     let mut shot = alone(triangle(points), |_| ());
@@ -258,13 +299,14 @@ fn c14_groups_move_models_and_hide_them() {
 #[test]
 fn c1_c5_bounds_hold_every_point_that_is_hit() {
     let mut dice = Dice(9);
-    for k in 0..30 {
+    for k in 0..40 {
         let (position, turn_deg) = (dice.vector() * 5.0, dice.vector() * 180.0);
         let scale = v(dice.between(0.1, 2.0), dice.between(0.1, 2.0), dice.between(0.1, 2.0));
         let mut shot = Shot::probe(Vec3::ZERO, Vec3::Z);
-        let shape = match k % 3 {
+        let shape = match k % 4 {
             0 => ball(1.0),
             1 => cuboid(Vec3::splat(2.0)),
+            2 => disc(1.0),
             _ => shot.model(models::faceted_ball(1.0, 6)),
         };
         let object = shot.put(shape, flat(Rgb::WHITE));
@@ -272,10 +314,14 @@ fn c1_c5_bounds_hold_every_point_that_is_hit() {
         shot.ambient(1.0);
         let bounds = shot.compiled().bounds();
         for _ in 0..40 {
-            // A point of the surface: on the ball or the model's ball; the same direction on the cube.
+            // A point of the surface: on the ball or the model's ball; the same direction on the cube and from above on the disc.
             let u = dice.direction();
-            let on =
-                if k % 3 == 1 { u / u.abs().max_element() } else { u * if k % 3 == 2 { 0.9 } else { 1.0 } };
+            let on = match k % 4 {
+                0 => u,
+                1 => u / u.abs().max_element(),
+                2 => u.with_y(0.0),
+                _ => u * 0.9,
+            };
             let p = position + turn(on * scale, turn_deg);
             let slack = Vec3::splat(1e-5);
             assert!(bounds.min.cmple(p + slack).all() && bounds.max.cmpge(p - slack).all(), "{p} {bounds:?}");

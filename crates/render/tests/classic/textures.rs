@@ -2,7 +2,7 @@
 //! with v shows the coordinates themselves.
 
 use crate::common::{
-    BLUE, Dice, GREEN, RED, Shot, assert_near, ball, cuboid, flat, matte, plane, triangle, v,
+    BLUE, Dice, GREEN, RED, Shot, assert_near, ball, cuboid, disc, flat, matte, plane, triangle, v,
 };
 use crate::models;
 use std::path::PathBuf;
@@ -106,6 +106,22 @@ fn c7_every_face_of_a_box_shows_the_picture_upright() {
             let at = (n + right * a + up * b) * half;
             assert_coordinates(&shot, at + n * 5.0 + right, at, [0.5 + 0.5 * a, 0.5 + 0.5 * b]);
         }
+    }
+}
+
+#[test]
+fn a_disc_shows_the_picture_as_seen_from_above() {
+    let mut shot = showing_coordinates(|_| disc(2.0));
+    let (place, scale) = (v(3.0, 1.0, -2.0), v(2.0, 1.0, 0.5));
+    for [x, z] in [[0.0_f32, 0.0], [0.5, 0.25], [-0.7, 0.7], [0.999, 0.0], [0.0, -0.999]] {
+        let (at, uv) = (v(x, 0.0, z), [0.5 + 0.5 * x, 0.5 - 0.5 * z]);
+        shot.scene.objects[0].position = Vec3::ZERO;
+        shot.scene.objects[0].scale = Vec3::ONE;
+        assert_coordinates(&shot, at * 2.0 + v(0.1, 3.0, 0.2), at * 2.0, uv);
+        assert_coordinates(&shot, at * 2.0 + v(0.1, -3.0, 0.2), at * 2.0, uv);
+        (shot.scene.objects[0].position, shot.scene.objects[0].scale) = (place, scale);
+        let at = place + at * 2.0 * scale;
+        assert_coordinates(&shot, at + v(0.1, 3.0, 0.2), at, uv);
     }
 }
 

@@ -1,12 +1,14 @@
 //! The shapes. A new one is a file beside these and a line in the register below.
 
 mod cuboid;
+mod disc;
 mod mesh;
 mod plane;
 mod sphere;
 mod triangle;
 
 pub use cuboid::Cuboid;
+pub use disc::Disc;
 pub use mesh::Mesh;
 pub use plane::Plane;
 pub use sphere::Sphere;
@@ -23,6 +25,7 @@ crate::kinds! {
         Sphere(Sphere) = "sphere",
         Box(Cuboid) = "box",
         Plane(Plane) = "plane",
+        Disc(Disc) = "disc",
         Triangle(Triangle) = "triangle",
         Mesh(Mesh) = "mesh",
     }
@@ -59,6 +62,11 @@ pub enum Geometry {
     },
     /// y = 0, normal +y, without end.
     Plane,
+    /// y = 0, centre at the origin, normal +y.
+    Disc {
+        /// Metres.
+        radius: f32,
+    },
     /// One triangle.
     Triangle {
         /// The corners, metres.

@@ -6,7 +6,7 @@ use crate::dialogs::frame::{self, Buttons, Shell, Verdict};
 use crate::dialogs::preview::Preview;
 use crate::dialogs::thing::{MaterialAnswer, material_form};
 use crate::dialogs::{Around, Browse, Outcome, Reply, one_step};
-use crate::document::{Document, Thing};
+use crate::document::{Document, Thing, orbit_center};
 use crate::files::file_name;
 use crate::text::tr;
 use crate::theme;
@@ -30,7 +30,12 @@ impl ModelDialog {
     /// For a model that has just been read.
     #[must_use]
     pub fn add(model: LoadedModel, document: &Document) -> Self {
-        Self::of(ModelDraft::add(model, document.scene()), document)
+        let mut draft = ModelDraft::add(model, document.scene());
+        // Where the camera looks; how high it stands follows from the floor.
+        let aim = orbit_center(document.scene(), document.assets());
+        let tenths = |v: f32| (10.0 * v).round() / 10.0;
+        draft.position = Vec3::new(tenths(aim.x), draft.position.y, tenths(aim.z));
+        Self::of(draft, document)
     }
 
     /// For a model of the scene. None when the thing is none, or its file was not read.

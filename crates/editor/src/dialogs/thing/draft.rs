@@ -2,7 +2,7 @@
 
 use super::material::MaterialDraft;
 use crate::document::{Addition, EditCommand, Thing, free_name_among};
-use vitrine::scene::{Item, Light, ListName, Object, ParamSpec, Params, Scene, Value, params};
+use vitrine::scene::{Item, Light, ListName, Object, ParamSpec, Params, Scene, Shape, Value, params};
 
 /// An object or a light.
 #[derive(Clone, Debug, PartialEq)]
@@ -162,7 +162,8 @@ impl ThingDraft {
     pub fn add(addition: &Addition, scene: &Scene) -> Option<Self> {
         if let Some(object) = addition.objects.first() {
             let material = Some(MaterialDraft::of(object, addition, scene));
-            return Some(Self { subject: Subject::Object(Box::new(object.clone())), material, before: None });
+            let subject = Subject::Object(Box::new(by_its_points(object.clone())));
+            return Some(Self { subject, material, before: None });
         }
         let light = addition.lights.first()?;
         Some(Self { subject: Subject::Light(Box::new(light.clone())), material: None, before: None })
@@ -283,4 +284,13 @@ pub(in crate::dialogs) fn replace<T: Item>(items: &mut Vec<T>, mut item: T, befo
             items.push(item);
         }
     }
+}
+
+/// A new triangle is said by three points of the scene (C4), so its place goes into them.
+fn by_its_points(mut object: Object) -> Object {
+    if let Shape::Triangle(triangle) = &mut object.shape {
+        let place = std::mem::take(&mut object.position);
+        triangle.points.iter_mut().for_each(|point| *point += place);
+    }
+    object
 }

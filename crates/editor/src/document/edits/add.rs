@@ -63,7 +63,8 @@ impl Draft<'_> {
         let mut arrived = Arrived::default();
 
         let mut names = Names::of(&self.scene, ListName::Texture);
-        let new_textures = share(textures, &mut self.scene.textures, &mut names, &mut arrived.textures);
+        let to = (&mut self.scene.textures, &mut arrived.textures);
+        let new_textures = share(textures, to, &mut names, |_| false);
 
         let mut names = Names::of(&self.scene, ListName::Material);
         let materials: Vec<_> = materials
@@ -73,7 +74,11 @@ impl Draft<'_> {
                 material
             })
             .collect();
-        let new_materials = share(materials, &mut self.scene.materials, &mut names, &mut arrived.materials);
+        // A new thing's own material is its own, however much it is like another's.
+        let is_own =
+            |name: &str| objects.iter().any(|o| o.name == name && o.material.as_deref() == Some(name));
+        let to = (&mut self.scene.materials, &mut arrived.materials);
+        let new_materials = share(materials, to, &mut names, is_own);
 
         let mut names = Names::of(&self.scene, ListName::Group);
         let new_groups: NewNames = groups.iter().map(|g| (g.name.clone(), names.take(&g.name))).collect();
@@ -115,12 +120,13 @@ fn follow(reference: &mut Option<String>, new_names: &NewNames) -> bool {
     is_known
 }
 
-/// Adds entries to a list, but those that it has already, alike in all but a number after the name.
+/// Adds entries to a list, but those that it has already, alike in all but a number after the name; what is somebody's own is
+/// always added.
 fn share<T: Item + Clone + PartialEq>(
     items: Vec<T>,
-    list: &mut Vec<T>,
+    (list, final_names): (&mut Vec<T>, &mut Vec<String>),
     names: &mut Names,
-    final_names: &mut Vec<String>,
+    is_own: impl Fn(&str) -> bool,
 ) -> NewNames {
     let mut by_word: HashMap<String, Vec<usize>> = HashMap::new();
     for (index, item) in list.iter().enumerate().filter(|_| !items.is_empty()) {
@@ -129,7 +135,8 @@ fn share<T: Item + Clone + PartialEq>(
     let mut new_names = NewNames::new();
     for mut item in items {
         let given = item.name().to_owned();
-        let alike = by_word.get(word_of(&given)).into_iter().flatten().find(|index| {
+        let candidates = by_word.get(word_of(&given)).filter(|_| !is_own(&given));
+        let alike = candidates.into_iter().flatten().find(|index| {
             let there = &list[**index];
             let mut renamed = item.clone();
             renamed.rename(there.name().to_owned());

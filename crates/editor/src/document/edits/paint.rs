@@ -23,8 +23,19 @@ impl Draft<'_> {
         let textures = paint.texture.into_iter().collect();
         let arrived = self.bring(Addition { materials, textures, ..Addition::default() })?;
         for index in objects {
-            self.scene.objects[index].material = arrived.materials.first().cloned();
+            let object = &mut self.scene.objects[index];
+            let former = std::mem::replace(&mut object.material, arrived.materials.first().cloned());
+            // What came with the object and was named after it goes with its last use.
+            if let Some(former) = former.filter(|name| *name == object.name) {
+                self.drop_unused_material(&former);
+            }
         }
         Ok(())
+    }
+
+    fn drop_unused_material(&mut self, name: &str) {
+        if !self.scene.objects.iter().any(|o| o.material.as_deref() == Some(name)) {
+            self.scene.materials.retain(|m| m.name != name);
+        }
     }
 }

@@ -1,6 +1,7 @@
 //! The forms that rays are tested against, each exact, each for a packet at a time.
 
 pub mod cuboid;
+pub mod disc;
 pub mod plane;
 pub mod sphere;
 pub mod triangle;

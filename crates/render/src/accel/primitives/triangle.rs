@@ -5,7 +5,7 @@
 //! an edge and has the same digits for both triangles at that edge, so a ray passes between no two of them. (Products
 //! are not fused with differences: that would give the two triangles different digits.)
 
-use crate::accel::packet::{cross, dot, sub3};
+use crate::accel::packet::{FAR_ROUNDED_UP, cross, dot, sub3};
 use crate::accel::simd::Simd;
 use vitrine_math::Vec3;
 
@@ -77,6 +77,8 @@ pub struct Sheared<S: Simd> {
     pub d: [S::F; 3],
     /// d\[0\]/d\[2\], d\[1\]/d\[2\]
     pub slope: [S::F; 2],
+    /// 1/d, as for boxes.
+    pub inv: [S::F; 3],
 }
 
 /// The order of the components for an axis.
@@ -95,15 +97,20 @@ pub fn fastest_axis([x, y, z]: [f32; 3]) -> usize {
     }
 }
 
-/// Where the rays cross the triangle, from either side; None when no lane does. The corners' components stand in the
-/// order of the shear. A ray in the triangle's plane divides 0 by 0: comparisons with what comes of it are false.
-#[inline(always)]
-pub fn crossing<S: Simd>(
-    s: S,
-    ray: &Sheared<S>,
-    corners: &[[S::F; 3]; 3],
+/// Rays that pass a triangle's edges on one side. Only for lanes of the mask.
+#[derive(Clone, Copy)]
+pub struct Inside<S: Simd> {
     mask: S::M,
-) -> Option<Crossing<S>> {
+    /// The corners, from the rays' origins.
+    corners: [[S::F; 3]; 3],
+    /// Twice the areas of the triangles between the ray and each edge.
+    areas: [S::F; 3],
+}
+
+/// Which rays pass the edges of a triangle on one side, from either side; None when no lane does. The corners' components stand
+/// in the order of the shear.
+#[inline(always)]
+pub fn inside<S: Simd>(s: S, ray: &Sheared<S>, corners: &[[S::F; 3]; 3], mask: S::M) -> Option<Inside<S>> {
     let a = sub3(s, &corners[0], &ray.o);
     let b = sub3(s, &corners[1], &ray.o);
     let c = sub3(s, &corners[2], &ray.o);
@@ -113,20 +120,55 @@ pub fn crossing<S: Simd>(
     let by = s.sub(b[1], s.mul(ray.slope[1], b[2]));
     let cx = s.sub(c[0], s.mul(ray.slope[0], c[2]));
     let cy = s.sub(c[1], s.mul(ray.slope[1], c[2]));
-    // Twice the areas of the triangles between the ray and each edge.
     let u = s.sub(s.mul(cx, by), s.mul(cy, bx));
     let v = s.sub(s.mul(ax, cy), s.mul(ay, cx));
     let w = s.sub(s.mul(bx, ay), s.mul(by, ax));
     let zero = s.splat(0.0);
     let inside = s.or(s.le(zero, s.min(s.min(u, v), w)), s.le(s.max(s.max(u, v), w), zero));
     let mask = s.and(mask, inside);
-    if !s.any(mask) {
-        return None;
+    s.any(mask).then_some(Inside { mask, corners: [a, b, c], areas: [u, v, w] })
+}
+
+/// A normal of any length, its components in the order of the corners'.
+#[inline(always)]
+pub fn normal<S: Simd>(s: S, corners: &[[S::F; 3]; 3]) -> [S::F; 3] {
+    cross(s, &sub3(s, &corners[1], &corners[0]), &sub3(s, &corners[2], &corners[0]))
+}
+
+impl<S: Simd> Inside<S> {
+    /// Where the rays cross the triangle with this [`normal`]. A ray in its plane divides 0 by 0: comparisons with what comes of it are
+    /// false.
+    ///
+    /// A triangle seen nearly from its edge has areas and a distance that are all rounding. So a crossing counts only within the
+    /// triangle's own box, whose test has the same digits as that of boxes in trees. A packet may thus leave out triangles whose
+    /// boxes it does not meet: no ray of it would have hit them alone.
+    #[inline(always)]
+    pub fn crossing(&self, s: S, ray: &Sheared<S>, n: &[S::F; 3]) -> Crossing<S> {
+        let [u, v, w] = self.areas;
+        let area = s.add(s.add(u, v), w);
+        let [near, far] = self.passage(s, ray);
+        let in_box = s.le(near, s.mul(far, s.splat(FAR_ROUNDED_UP)));
+        let mask = s.and(self.mask, s.and(in_box, s.lt(s.splat(0.0), s.abs(area))));
+        let inverse = s.div(s.splat(1.0), area);
+        // The distance to the triangle's plane, ⟨n, a⟩/⟨n, d⟩: of a large triangle near the ray's start it has more digits than
+        // the corners' depths, mixed, would give.
+        let t = s.div(dot(s, n, &self.corners[0]), dot(s, n, &ray.d));
+        // No nearer than where the ray enters the box and no farther than where it leaves. In this order NaN stays.
+        let t = s.max(near, s.min(far, t));
+        Crossing { mask, t, u: s.mul(v, inverse), v: s.mul(w, inverse) }
     }
-    let inverse = s.div(s.splat(1.0), s.add(s.add(u, v), w));
-    // The distance to the triangle's plane, ⟨n, a⟩/⟨n, d⟩: of a large triangle near the ray's start it has more digits than
-    // the corners' depths, mixed, would give.
-    let n = cross(s, &sub3(s, &corners[1], &corners[0]), &sub3(s, &corners[2], &corners[0]));
-    let t = s.div(dot(s, &n, &a), dot(s, &n, &ray.d));
-    Some(Crossing { mask, t, u: s.mul(v, inverse), v: s.mul(w, inverse) })
+
+    /// Where the rays enter and leave the box around the triangle.
+    #[inline(always)]
+    fn passage(&self, s: S, ray: &Sheared<S>) -> [S::F; 2] {
+        let (mut near, mut far) = (s.splat(f32::NEG_INFINITY), s.splat(f32::INFINITY));
+        let [a, b, c] = &self.corners;
+        for k in 0..3 {
+            // Rounding keeps order: the least of these products is that of the side of the box.
+            let (a, b, c) = (s.mul(a[k], ray.inv[k]), s.mul(b[k], ray.inv[k]), s.mul(c[k], ray.inv[k]));
+            near = s.max(near, s.min(s.min(a, b), c));
+            far = s.min(far, s.max(s.max(a, b), c));
+        }
+        [near, far]
+    }
 }

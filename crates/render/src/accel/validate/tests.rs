@@ -3,16 +3,11 @@
 use super::*;
 use crate::accel::primitives::plane::Plane;
 use crate::accel::primitives::sphere::Sphere;
-use crate::accel::tests::{Numbers, around, mesh, scene};
+use crate::accel::tests::{Numbers, around, few, mesh, scene};
 use crate::accel::tree::{Child, Node, STACK, WIDTH};
 use crate::accel::{Instance, MaterialSlots, Primitives};
 use proptest::prelude::*;
-use vitrine_math::Mat3;
-
-/// Fewer where each costs much.
-const fn few(count: usize) -> usize {
-    if cfg!(miri) { count.div_ceil(200) } else { count }
-}
+use vitrine_math::{Affine3A, Mat3, Transform};
 
 fn corners_at(at: Vec3, size: f32) -> [Vec3; 3] {
     [at, at + Vec3::new(size, 0.0, 0.0), at + Vec3::new(0.0, size, 0.0)]
@@ -58,7 +53,7 @@ fn mixed(count: usize, mut place: impl FnMut(usize) -> (Vec3, f32)) -> Accel {
         let shrunk = size.max(1e-12).recip();
         let inwards = Affine3A::from_mat3_translation(Mat3::from_diagonal(Vec3::splat(shrunk)), at * -shrunk);
         let bounds = around(at, size);
-        match i % 6 {
+        match i % 7 {
             0 => {
                 p.spheres.push((Sphere { center: at.into(), radius: size, primitive }, bounds));
             }
@@ -68,6 +63,11 @@ fn mixed(count: usize, mut place: impl FnMut(usize) -> (Vec3, f32)) -> Accel {
             4 => {
                 let instance = Instance { mesh_from_world: inwards, mesh: model.clone(), primitive };
                 p.instances.push((instance, bounds));
+            }
+            5 => {
+                let unit = Transform { world_from_object: inwards.inverse(), object_from_world: inwards };
+                let disc = Disc { center: at.into(), ..Disc::new(&unit, primitive) };
+                p.discs.push((disc, bounds));
             }
             _ => p.planes.push(Plane { n: [0.0, 1.0, 0.0], offset: at.y, primitive }),
         }
@@ -79,7 +79,7 @@ fn mixed(count: usize, mut place: impl FnMut(usize) -> (Vec3, f32)) -> Accel {
 fn trees_over_degenerate_scenes_are_sound() {
     let mut numbers = Numbers(6);
     assert_eq!(Accel::new(Primitives::default(), Vec::new()).validate(), Ok(()));
-    for count in [1, 2, 6, 12, few(3000)] {
+    for count in [1, 2, 7, 14, few(3000)] {
         assert_eq!(mixed(count, |_| (Vec3::ONE, 1.0)).validate(), Ok(()), "all in one place");
         assert_eq!(mixed(count, |_| (Vec3::ONE, 0.0)).validate(), Ok(()), "all in one point");
         assert_eq!(mixed(count, |i| (Vec3::X * i as f32, 0.0)).validate(), Ok(()), "a line");
@@ -309,6 +309,10 @@ fn flaws_of_the_scene_and_of_its_meshes_are_told_apart() {
     bad_leaf(|a| a.boxes[0].primitive = a.ellipsoids[0].primitive);
     bad_leaf(|a| a.ellipsoids[0].primitive = u32::MAX);
     bad_leaf(|a| a.ellipsoids[0].unit_from_world.translation.x = f32::NAN);
+    bad_leaf(|a| a.discs[0].n[1] = f32::NAN);
+    bad_leaf(|a| a.discs[0].center[2] = f32::INFINITY);
+    bad_leaf(|a| a.discs[0].across[1][0] = f32::NAN);
+    bad_leaf(|a| a.discs[0].primitive = a.discs[1].primitive);
     bad_leaf(|a| a.triangles[0].ids[0] = a.instances[0].primitive);
     bad_leaf(|a| a.instances.truncate(1));
 

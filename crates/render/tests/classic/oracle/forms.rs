@@ -81,6 +81,12 @@ impl Thing {
                 all
             }
             Geometry::Plane => vec![(-lo.0[1] / ld.0[1], self.normal(D3::new(0.0, 1.0, 0.0)))],
+            Geometry::Disc { radius } => {
+                let t = -lo.0[1] / ld.0[1];
+                let p = lo + ld * t;
+                let is_in = p.0[0].hypot(p.0[2]) <= f64::from(*radius);
+                is_in.then(|| (t, self.normal(D3::new(0.0, 1.0, 0.0)))).into_iter().collect()
+            }
             Geometry::Triangle { points, .. } => {
                 self.triangle(points.map(|p| self.point(D3::of(p))), o, d).into_iter().collect()
             }
