@@ -20,9 +20,6 @@ pub enum Section {
 }
 
 impl Section {
-    /// All of them, in order.
-    pub const ALL: [Self; 4] = [Self::File, Self::Edit, Self::View, Self::Render];
-
     /// The key of its text.
     #[must_use]
     pub const fn text_key(self) -> &'static str {

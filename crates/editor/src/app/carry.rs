@@ -6,7 +6,7 @@ use crate::action::{Action, NewThing, Screen};
 use crate::dialogs::tour::Tour;
 use crate::dialogs::{Around, Browse, CurrentPicture, Dialog, Reply, ThingDialog};
 use crate::document::{
-    Addition, Aim, CameraMove, EditCommand, Thing, bounds_of, bounds_of_all, copy, free_name, new_thing,
+    Addition, CameraMove, EditCommand, Thing, bounds_of, bounds_of_all, copy, free_name, new_thing,
 };
 use crate::files::{Config, file_name};
 use crate::live::{FinalState, Request};
@@ -143,7 +143,7 @@ impl Editor {
     fn new_thing(&self, new: NewThing) -> Addition {
         let (scene, assets) = (self.document.scene(), self.document.assets());
         let name = free_name(scene, new.list, &new.name());
-        new_thing(scene, assets, new.list, new.kind, Aim::View).named(&name)
+        new_thing(scene, assets, new.list, new.kind).named(&name)
     }
 
     fn open_dialog(&mut self, action: Action) {

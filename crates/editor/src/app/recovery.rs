@@ -16,6 +16,9 @@ impl Editor {
     /// Gives the autosave what there is now, if it is new and not saved.
     pub(super) fn offer_autosave(&mut self) {
         let Some(autosave) = &mut self.autosave else { return };
+        if let Some(reason) = autosave.take_error() {
+            self.notices.error(tr!("app-no-autosave", reason = reason));
+        }
         let revision = self.document.revision();
         if !self.document.is_changed() || !autosave.wants(revision) {
             return;

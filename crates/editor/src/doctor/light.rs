@@ -1,7 +1,7 @@
 //! Too little light, and too much.
 
 use super::{Brightness, Diagnosis};
-use crate::document::{Aim, Document, EditCommand, Message, Thing, new_thing};
+use crate::document::{Document, EditCommand, Message, Thing, new_thing};
 use vitrine::math::Rgb;
 use vitrine::scene::{Light, ListName, Scene, Value};
 
@@ -16,7 +16,7 @@ const GLARING_SUM: f32 = 5.0;
 pub(super) fn diagnose(document: &Document, picture: Option<Brightness>) -> Option<Diagnosis> {
     let scene = document.scene();
     if scene.lights.is_empty() {
-        let lamp = new_thing(scene, document.assets(), ListName::Light, "disc", Aim::View);
+        let lamp = new_thing(scene, document.assets(), ListName::Light, "disc");
         return Some(Diagnosis {
             message: Message::new("doctor-no-light"),
             things: Vec::new(),

@@ -2,8 +2,8 @@
 
 use super::{Brightness, Diagnosis};
 use crate::document::{
-    Aim, CameraMove, Document, EditCommand, Message, Thing, bounds_of, bounds_of_all, new_thing,
-    object_bounds, plane_level,
+    CameraMove, Document, EditCommand, Message, Thing, bounds_of, bounds_of_all, new_thing, object_bounds,
+    plane_level,
 };
 use vitrine::math::{Bounds3, Vec3};
 use vitrine::scene::{Geometry, GroupPlaces, ListName, Object, TriangleMesh};
@@ -23,13 +23,7 @@ pub(super) fn diagnose(document: &Document, picture: Option<Brightness>) -> Vec<
             message: Message::new("doctor-no-object"),
             things: Vec::new(),
             mend_label: Message::new("doctor-mend-add-ball"),
-            mend: EditCommand::Add(new_thing(
-                scene,
-                document.assets(),
-                ListName::Object,
-                "sphere",
-                Aim::View,
-            )),
+            mend: EditCommand::Add(new_thing(scene, document.assets(), ListName::Object, "sphere")),
         }];
     }
     let places = scene.group_places();

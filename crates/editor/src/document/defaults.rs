@@ -3,19 +3,8 @@
 
 use super::edits::Names;
 use super::{Addition, bounds_of_all, object_bounds, plane_level};
-use std::path::Path;
-use vitrine::math::{Bounds3, Rgb, Transform, Vec3};
-use vitrine::scene::shapes::Mesh;
+use vitrine::math::{Bounds3, Rgb, Vec3};
 use vitrine::scene::{Assets, Light, LightSource, ListName, Material, Object, Scene, Shape, Value, params};
-
-/// Where a new thing goes.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Aim {
-    /// Where the camera looks.
-    View,
-    /// To this point of the floor or of a thing.
-    Point(Vec3),
-}
 
 /// How far ahead a camera that sees nothing is thought to look, metres.
 const NOWHERE: f32 = 5.0;
@@ -68,15 +57,12 @@ struct Site {
 }
 
 impl Site {
-    fn of(scene: &Scene, assets: &Assets, aim: Aim) -> Self {
+    fn of(scene: &Scene, assets: &Assets) -> Self {
         let camera = &scene.camera;
         let floor = floor_level(scene);
-        let point = match aim {
-            Aim::Point(point) => point,
-            Aim::View => match floor_distance(scene) {
-                Some(distance) => camera.position + forward(scene) * distance,
-                None => orbit_center(scene, assets).with_y(floor),
-            },
+        let point = match floor_distance(scene) {
+            Some(distance) => camera.position + forward(scene) * distance,
+            None => orbit_center(scene, assets).with_y(floor),
         };
         let distance = (point - camera.position).length().max(1e-3);
         let height = 2.0 * distance * (camera.view_angle_deg / 2.0).to_radians().tan();
@@ -90,10 +76,10 @@ impl Site {
     }
 }
 
-/// A new object or light of that kind, with the material that comes with it. Nothing when there is no such kind.
+/// A new object or light of that kind where the camera looks, with the material that comes with it. Nothing when there is no such kind.
 #[must_use]
-pub fn new_thing(scene: &Scene, assets: &Assets, list: ListName, kind: &str, aim: Aim) -> Addition {
-    let site = Site::of(scene, assets, aim);
+pub fn new_thing(scene: &Scene, assets: &Assets, list: ListName, kind: &str) -> Addition {
+    let site = Site::of(scene, assets);
     match list {
         ListName::Object => new_object(scene, assets, kind, &site).unwrap_or_default(),
         ListName::Light => new_light(scene, kind, &site).unwrap_or_default(),
@@ -111,22 +97,6 @@ pub fn free_name(scene: &Scene, list: ListName, name: &str) -> String {
 #[must_use]
 pub fn free_name_among<'a>(taken: impl Iterator<Item = &'a str>, name: &str) -> String {
     Names::among(taken).take(name)
-}
-
-/// A new object that is a model from a file, which is among the assets already: as large as it is, unless that is far too
-/// small or too large for the picture.
-#[must_use]
-pub fn new_model(scene: &Scene, assets: &Assets, file: &str, aim: Aim) -> Addition {
-    let site = Site::of(scene, assets, aim);
-    let name = Path::new(file).file_stem().map_or("model".into(), |stem| stem.to_string_lossy().into_owned());
-    let shape = Shape::Mesh(Mesh { file: file.to_owned(), ..Mesh::default() });
-    let mut object = Object { name: free_name(scene, ListName::Object, &name), shape, ..Object::default() };
-    let size = object_bounds(&object, &Transform::default(), assets).size().max_element();
-    if size > 0.0 && !(site.height / 20.0..=site.height).contains(&size) {
-        object.scale = Vec3::splat(two_digits(site.height / 3.0 / size));
-    }
-    stand(&mut object, scene, assets, &site);
-    Addition { objects: vec![object], ..Addition::default() }
 }
 
 fn new_object(scene: &Scene, assets: &Assets, kind: &str, site: &Site) -> Option<Addition> {
@@ -268,11 +238,6 @@ fn rounded(v: f32, step: f32) -> f32 {
 /// The number with one digit that counts.
 fn one_digit(v: f32) -> f32 {
     digits(v, 0)
-}
-
-/// The number with two digits that count.
-fn two_digits(v: f32) -> f32 {
-    digits(v, 1)
 }
 
 fn digits(v: f32, more: i32) -> f32 {

@@ -43,16 +43,8 @@ pub struct Snapshot {
     pub thumbnail: Option<ThumbnailImage>,
 }
 
-/// How autosave is doing.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct AutosaveState {
-    /// When something was written last.
-    pub written: Option<SystemTime>,
-    /// Which revision that was.
-    pub revision: Option<u64>,
-    /// Why the last writing failed.
-    pub error: Option<String>,
-}
+/// Which revision was written last, or why that failed.
+type Progress = Result<Option<u64>, String>;
 
 enum Message {
     Offer(Box<Snapshot>),
@@ -65,7 +57,7 @@ enum Message {
 #[derive(Debug)]
 pub struct Autosave {
     messages: Sender<Message>,
-    state: Arc<Mutex<AutosaveState>>,
+    progress: Arc<Mutex<Progress>>,
     thread: Option<JoinHandle<()>>,
     last_offer: Option<u64>,
 }
@@ -80,18 +72,18 @@ impl Autosave {
         fs::create_dir_all(&folder)?;
         let (stem, lock) = claim(&folder)?;
         let (messages, inbox) = mpsc::channel();
-        let state = Arc::new(Mutex::new(AutosaveState::default()));
+        let progress = Arc::new(Mutex::new(Ok(None)));
         let mut writer = Writer {
             stem,
             _lock: lock,
             every,
-            state: Arc::clone(&state),
+            progress: Arc::clone(&progress),
             pending: None,
             last: None,
             replaced: None,
         };
         let thread = thread::Builder::new().name("autosave".into()).spawn(move || writer.run(&inbox))?;
-        Ok(Self { messages, state, thread: Some(thread), last_offer: None })
+        Ok(Self { messages, progress, thread: Some(thread), last_offer: None })
     }
 
     /// Gives it what there is now. The newest is written, not too often; a revision that it had already is left out. Cheap
@@ -121,10 +113,16 @@ impl Autosave {
         self.send(Message::Replace(Box::new(recovery)));
     }
 
-    /// How it is doing.
+    /// Why the last writing failed, once for each failure.
     #[must_use]
-    pub fn state(&self) -> AutosaveState {
-        lock(&self.state).clone()
+    pub fn take_error(&self) -> Option<String> {
+        let mut progress = lock(&self.progress);
+        if progress.is_ok() { None } else { std::mem::replace(&mut *progress, Ok(None)).err() }
+    }
+
+    #[cfg(test)]
+    fn revision(&self) -> Option<u64> {
+        lock(&self.progress).as_ref().ok().copied().flatten()
     }
 
     /// The window ends as it should: its files are removed.
@@ -178,7 +176,7 @@ struct Writer {
     /// Held as long as the thread lives.
     _lock: File,
     every: Duration,
-    state: Arc<Mutex<AutosaveState>>,
+    progress: Arc<Mutex<Progress>>,
     pending: Option<Box<Snapshot>>,
     last: Option<Instant>,
     replaced: Option<Box<Recovery>>,
@@ -211,19 +209,15 @@ impl Writer {
         let Some(snapshot) = self.pending.take() else { return };
         let result = store(&self.stem, &snapshot);
         self.last = Some(Instant::now());
-        let mut state = lock(&self.state);
+        let mut progress = lock(&self.progress);
         match result {
             Ok(()) => {
-                *state = AutosaveState {
-                    written: Some(SystemTime::now()),
-                    revision: Some(snapshot.revision),
-                    error: None,
-                };
+                *progress = Ok(Some(snapshot.revision));
                 if let Some(old) = self.replaced.take() {
                     old.discard();
                 }
             }
-            Err(error) => state.error = Some(error.to_string()),
+            Err(error) => *progress = Err(error.to_string()),
         }
     }
 
@@ -235,7 +229,7 @@ impl Writer {
         let own = paths(&self.stem);
         let _ = fs::remove_file(own.scene);
         let _ = fs::remove_file(own.picture);
-        *lock(&self.state) = AutosaveState::default();
+        *lock(&self.progress) = Ok(None);
     }
 }
 

@@ -23,8 +23,8 @@ fn snapshot(revision: u64, about: &str) -> Snapshot {
 
 fn wait_for(autosave: &Autosave, revision: u64) {
     let start = Instant::now();
-    while autosave.state().revision != Some(revision) {
-        assert!(start.elapsed() < Duration::from_secs(60), "{:?}", autosave.state());
+    while autosave.revision() != Some(revision) {
+        assert!(start.elapsed() < Duration::from_secs(60), "{:?}", autosave.take_error());
         thread::sleep(Duration::from_millis(2));
     }
 }
@@ -96,7 +96,7 @@ fn the_newest_is_written_once_the_time_has_come_and_at_the_end() {
     autosave.offer(snapshot(2, "second"));
     assert!(!autosave.wants(2) && autosave.wants(3));
     thread::sleep(Duration::from_millis(50));
-    assert_eq!(autosave.state().revision, Some(1), "not so soon");
+    assert_eq!(autosave.revision(), Some(1), "not so soon");
     drop(autosave);
     assert_eq!(recoverable(&places)[0].open().unwrap().file.scene().about, "second");
 }
@@ -154,4 +154,24 @@ fn a_folder_that_cannot_be_made_is_an_error() {
     let file = home.path().join("file");
     fs::write(&file, "").unwrap();
     assert!(Autosave::start(&Places::inside(&file), NOW).is_err());
+}
+
+#[test]
+fn a_failure_to_write_is_told_once() {
+    let (_home, places) = home();
+    let mut autosave = Autosave::start(&places, NOW).unwrap();
+    // The folder would be made anew, but not where a file is.
+    fs::remove_dir_all(places.autosave_folder()).unwrap();
+    fs::write(places.autosave_folder(), "").unwrap();
+    autosave.offer(snapshot(1, "lost"));
+    let start = Instant::now();
+    let error = loop {
+        if let Some(error) = autosave.take_error() {
+            break error;
+        }
+        assert!(start.elapsed() < Duration::from_secs(60));
+        thread::sleep(Duration::from_millis(2));
+    };
+    assert!(!error.is_empty());
+    assert_eq!(autosave.take_error(), None);
 }

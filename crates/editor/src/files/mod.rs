@@ -13,7 +13,7 @@ mod save;
 mod task;
 mod wording;
 
-pub use autosave::{AUTOSAVE_EVERY, Autosave, AutosaveState, Snapshot};
+pub use autosave::{AUTOSAVE_EVERY, Autosave, Snapshot};
 pub use config::Config;
 pub use open::{
     NewAsset, Opened, Seen, complete_assets, read_model, read_picture, read_scene, read_template,

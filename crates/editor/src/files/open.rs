@@ -1,14 +1,13 @@
 //! Opening: scenes, templates, models, pictures, each with all that belongs to it. Everything here may take a while and is
 //! meant for a [`Task`](super::Task).
 
-use super::problem::{FileProblem, OpenError};
+use super::problem::OpenError;
 use super::relative::path_in_scene;
 use crate::library::{add_carried, carried};
 use std::fs;
 use std::path::{Path, PathBuf};
 use vitrine::SceneHash;
 use vitrine::formats::{FormatError, SceneFile, load_assets};
-use vitrine::math::Bounds3;
 use vitrine::scene::shapes::Mesh;
 use vitrine::scene::textures::PictureFile;
 use vitrine::scene::{Assets, Object, Scene, Shape, Texture, TextureSource};
@@ -58,12 +57,6 @@ pub struct Opened {
 }
 
 impl Opened {
-    /// What may not be as it was meant.
-    #[must_use]
-    pub fn warnings(&self) -> Vec<FileProblem> {
-        self.file.warnings().iter().map(|f| FileProblem::of_finding(f, self.file.text())).collect()
-    }
-
     /// A text that was not read from where it belongs, such as a template. `folder` is the one that its paths count from.
     ///
     /// # Errors
@@ -144,20 +137,6 @@ pub struct NewAsset {
     pub assets: Assets,
     /// What should be known of it: one sentence each.
     pub notes: Vec<String>,
-}
-
-impl NewAsset {
-    /// How many triangles the model has; 0 for a picture.
-    #[must_use]
-    pub fn triangles(&self) -> usize {
-        self.assets.meshes.values().map(|m| m.triangles.len()).sum()
-    }
-
-    /// The box around the model, in its own units.
-    #[must_use]
-    pub fn bounds(&self) -> Bounds3 {
-        Bounds3::around(self.assets.meshes.values().flat_map(|m| m.positions.iter().copied()))
-    }
 }
 
 /// Reads a model for a scene whose paths count from `folder`; None: a scene without a file.

@@ -35,7 +35,7 @@ fn a_scene_comes_with_what_it_names() {
     write(folder.path(), "pictures/cover.png", carried(Path::new("textures/globe.png")).unwrap());
     let opened = read_scene(&path).unwrap();
     assert_eq!(opened.assets.pictures[Path::new("pictures/cover.png")].size, [584, 292]);
-    assert!(opened.warnings().is_empty(), "{:?}", opened.warnings());
+    assert!(opened.file.warnings().is_empty(), "{:?}", opened.file.warnings());
     let seen = opened.seen.unwrap();
     assert!(!seen.differs_from(&path));
     fs::write(&path, "format = 1\n").unwrap();
@@ -97,12 +97,13 @@ fn own_files_go_before_those_of_the_program() {
 }
 
 #[test]
-fn a_model_is_measured_before_it_is_added() {
+fn a_model_is_read_before_it_is_added() {
     let folder = tempfile::tempdir().unwrap();
     let path = write(folder.path(), "models/cone.obj", carried(Path::new("models/cone.obj")).unwrap());
     let model = read_model(&path, Some(folder.path())).unwrap();
-    assert_eq!((model.file.as_str(), model.triangles()), ("models/cone.obj", 160));
-    assert_eq!(model.bounds().max.y, 1.0);
+    assert_eq!(model.file, "models/cone.obj");
+    let mesh = &model.assets.meshes[Path::new("models/cone.obj")];
+    assert_eq!((mesh.triangles.len(), mesh.bounds().max.y), (160, 1.0));
     assert!(Path::new(&read_model(&path, None).unwrap().file).is_absolute());
 
     let broken = write(folder.path(), "broken.obj", "v 0 0 0\nv 1 zero 0\n");

@@ -51,12 +51,6 @@ impl<T: Send + 'static> Task<T> {
             Err(TryRecvError::Disconnected) => TaskState::Over,
         }
     }
-
-    /// Waits for its end. None when it has none to give.
-    #[must_use]
-    pub fn wait(self) -> Option<T> {
-        self.answer?.recv().ok()
-    }
 }
 
 #[cfg(test)]

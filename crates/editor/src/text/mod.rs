@@ -60,8 +60,8 @@ fn find(key: &str, values: &[(&str, FluentValue<'_>)]) -> Option<String> {
     })
 }
 
-/// The locale files of a language, name and text, for whoever checks them.
-#[must_use]
+/// The locale files of a language, name and text, for tests that check them.
+#[cfg(test)]
 pub fn files_of(language: Language) -> &'static [(&'static str, &'static str)] {
     locale::files(language)
 }

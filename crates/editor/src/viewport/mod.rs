@@ -72,12 +72,6 @@ impl Viewport {
         self.last_gesture
     }
 
-    /// Whether Esc would take a drag back: then it should do nothing else.
-    #[must_use]
-    pub const fn is_dragging(&self) -> bool {
-        self.drag.is_some()
-    }
-
     /// What is asked of the final render: the scene as it is.
     #[must_use]
     pub fn final_request(&self, document: &Document) -> crate::live::Request {

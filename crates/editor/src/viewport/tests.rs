@@ -301,7 +301,7 @@ fn esc_takes_a_drag_back_and_the_rest_of_it_does_nothing() {
     test.event(Event::PointerMoved(ball + vec2(90.0, 0.0)));
     test.run_steps(3);
     assert_eq!(test.state().actions, []);
-    assert!(test.state().viewport.is_dragging());
+    assert!(test.state().viewport.drag.is_some());
 }
 
 #[test]

@@ -15,7 +15,6 @@ mod set;
 mod stand;
 
 pub(super) use names::Names;
-pub use place::pivot_of;
 pub(super) use stand::Stand;
 
 use super::thing::Places;

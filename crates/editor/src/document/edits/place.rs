@@ -133,21 +133,7 @@ impl Draft<'_> {
     }
 }
 
-/// The point in the world about which a thing turns and grows, where its handles belong; None when it has no place.
-#[must_use]
-pub fn pivot_of(scene: &Scene, thing: &Thing) -> Option<Vec3> {
-    let owner = thing.owner(scene)?;
-    let Some(Value::Vector(position)) = scene.value(owner, "position") else { return None };
-    let group = match owner {
-        Owner::Item(ListName::Object, i) => scene.objects[i].group.as_deref(),
-        Owner::Item(ListName::Group, i) => scene.groups[i].group.as_deref(),
-        _ => None,
-    };
-    let inside = Stand::of(scene, owner).map(|stand| stand.place().point(own_pivot(scene, owner)));
-    Some(scene.group_places().world_from_group(group).point(inside.unwrap_or(position)))
-}
-
-/// The same in the thing's own space: its origin, or a triangle's middle, for its corners may be anywhere.
+/// The point about which a thing turns and grows, in its own space: its origin, or a triangle's middle, for its corners may be anywhere.
 fn own_pivot(scene: &Scene, owner: Owner) -> Vec3 {
     match owner {
         Owner::Item(ListName::Object, i) => match &scene.objects[i].shape {

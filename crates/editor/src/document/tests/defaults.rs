@@ -10,7 +10,7 @@ fn empty_template() -> Document {
 }
 
 fn add(document: &mut Document, list: ListName, kind: &str) -> Addition {
-    let addition = new_thing(document.scene(), document.assets(), list, kind, Aim::View);
+    let addition = new_thing(document.scene(), document.assets(), list, kind);
     edit(document, EditCommand::Add(addition.clone()));
     addition
 }
@@ -99,36 +99,15 @@ fn sizes_follow_the_view() {
 #[test]
 fn what_is_no_kind_adds_nothing() {
     let mut document = empty_template();
-    let nothing = new_thing(document.scene(), document.assets(), ListName::Object, "teapot", Aim::View);
+    let nothing = new_thing(document.scene(), document.assets(), ListName::Object, "teapot");
     assert_eq!(nothing, Addition::default());
     assert_eq!(refused(&mut document, EditCommand::Add(nothing)), EditError::NothingToAdd);
 }
 
 #[test]
-fn a_model_that_is_far_too_large_is_scaled_and_stands_on_the_floor() {
-    let mut document = empty_template();
-    let mesh = vitrine::scene::TriangleMesh {
-        positions: vec![
-            Vec3::new(10.0, 100.0, 0.0),
-            Vec3::new(900.0, 100.0, 0.0),
-            Vec3::new(0.0, 800.0, 5.0),
-        ],
-        triangles: vec![[0, 1, 2]],
-        ..Default::default()
-    };
-    let mut assets = Assets::default();
-    assets.meshes.insert("models/big cone.obj".into(), Arc::new(mesh));
-    document.provide(assets, Vec::new());
-    let addition = new_model(document.scene(), document.assets(), "models/big cone.obj", Aim::View);
-    edit(&mut document, EditCommand::Add(addition));
-    let bounds = bounds_of(document.scene(), document.assets(), &objects(["big cone"]));
-    assert!(bounds.min.y.abs() < 1e-3 && bounds.size().max_element() < 5.0, "{bounds:?}");
-}
-
-#[test]
 fn another_name_is_its_materials_too() {
     let mut document = empty_template();
-    let ball = new_thing(document.scene(), document.assets(), ListName::Object, "sphere", Aim::View);
+    let ball = new_thing(document.scene(), document.assets(), ListName::Object, "sphere");
     edit(&mut document, EditCommand::Add(ball.named("Шар")));
     assert_eq!(object(&document, "Шар").material.as_deref(), Some("Шар"));
     assert!(document.scene().material("Шар").is_some());
