@@ -72,6 +72,12 @@ impl Viewport {
         self.last_gesture
     }
 
+    /// Whether something is being dragged: then keys belong to the drag.
+    #[must_use]
+    pub const fn is_dragging(&self) -> bool {
+        self.drag.is_some()
+    }
+
     /// What is asked of the final render: the scene as it is.
     #[must_use]
     pub fn final_request(&self, document: &Document) -> crate::live::Request {
