@@ -72,7 +72,7 @@ impl Viewport {
         self.last_gesture
     }
 
-    /// Whether Esc would take a drag back: then it should do nothing else.
+    /// Whether something is being dragged: then keys belong to the drag.
     #[must_use]
     pub const fn is_dragging(&self) -> bool {
         self.drag.is_some()

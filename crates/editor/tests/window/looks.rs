@@ -3,34 +3,42 @@
 
 use crate::person::Person;
 use eframe::egui::vec2;
-use egui_kittest::SnapshotOptions;
+use egui_kittest::{SnapshotOptions, SnapshotResults};
 use vitrine::scene::ListName;
 use vitrine_editor::action::{Action, NewThing, Screen};
 use vitrine_editor::document::Thing;
+use vitrine_editor::files::Config;
 use vitrine_editor::text::{Language, text_of};
 
-fn compare(person: &mut Person, name: &str, language: Language) {
+fn compare(mut person: Person, name: &str, language: Language) -> SnapshotResults {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/window");
     let options = SnapshotOptions::new().output_path(folder);
-    // The pointer is no part of the window.
+    // Neither the pointer nor a line that blinks is a part of the window, and previews come when they are ready.
     person.window.remove_cursor();
-    person.wait();
+    person.window.ctx.all_styles_mut(|style| style.visuals.text_cursor.blink = false);
+    person.settle();
     person.window.snapshot_options(format!("{name}-{}", language.tag()), &options);
+    person.window.take_snapshot_results()
 }
 
 fn in_both(name: &str, state: impl Fn(Language) -> Person) {
-    for language in Language::ALL {
-        compare(&mut state(language), name, language);
-    }
+    let mut results = SnapshotResults::new();
+    Language::ALL.into_iter().for_each(|language| results.extend(compare(state(language), name, language)));
 }
 
 fn say(key: &str) -> String {
     text_of(key, &[])
 }
 
+/// The gallery on any machine: the number of threads is told.
+fn at_the_start(language: Language) -> Person {
+    Person::with(tempfile::tempdir().unwrap(), &Config { language, threads: 2, ..Config::default() })
+}
+
 /// A red glass ball on the floor, selected.
 fn with_red_ball(language: Language) -> Person {
-    let mut person = Person::in_empty_scene(language);
+    let mut person = at_the_start(language);
+    person.click(&say("template-empty"));
     person.use_tool(&say("toolbar-sphere"));
     person.click(&say("material-red-glass"));
     person
@@ -44,7 +52,7 @@ fn with_dialog(language: Language, action: Action) -> Person {
 
 #[test]
 fn the_start() {
-    in_both("start", Person::at_the_start);
+    in_both("start", at_the_start);
 }
 
 #[test]
