@@ -200,7 +200,8 @@ fn c7_a_pattern_and_a_picture_cover_a_shape() {
     };
     assert!(person.scene().texture(&texture_of(&person)).is_some());
     let path = person.path("stripes.png");
-    let stripes = image::RgbImage::from_fn(8, 8, |x, _| image::Rgb(if x < 4 { [250, 20, 20] } else { [20; 3] }));
+    let stripes =
+        image::RgbImage::from_fn(8, 8, |x, _| image::Rgb(if x < 4 { [250, 20, 20] } else { [20; 3] }));
     stripes.save(&path).unwrap();
     person.select("Sphere");
     must_be_seen(&mut person, |person| person.open(path));

@@ -186,7 +186,8 @@ fn two_hundred_steps_and_more_are_undone_and_done_again() {
 /// What the last frame wrote into the clipboard.
 fn copied(person: &Person) -> String {
     let commands = &person.window.output().platform_output.commands;
-    let text = |c: &OutputCommand| if let OutputCommand::CopyText(text) = c { Some(text.clone()) } else { None };
+    let text =
+        |c: &OutputCommand| if let OutputCommand::CopyText(text) = c { Some(text.clone()) } else { None };
     commands.iter().find_map(text).expect("something was copied")
 }
 

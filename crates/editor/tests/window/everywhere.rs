@@ -4,11 +4,11 @@
 use crate::person::Person;
 use crate::support::{controls_without_name_or_tooltip, labels_clipped};
 use eframe::egui::{Key, Modifiers};
+use vitrine::scene::{LightSource, ListName, Shape};
 use vitrine_editor::action::{Action, NewThing, Screen};
 use vitrine_editor::document::Thing;
 use vitrine_editor::files::Config;
 use vitrine_editor::text::{Language, text_of};
-use vitrine::scene::{LightSource, ListName, Shape};
 
 /// Faults that were found, each once, with the state in which it was first.
 #[derive(Default)]
@@ -84,9 +84,7 @@ fn dialogs(person: &mut Person, faults: &mut Faults) {
     person.ask(Action::EditDialog(Thing::object("ground")));
     faults.look(person, "the dialog that edits");
     person.press(Key::Escape, Modifiers::NONE);
-    for screen in
-        [Screen::Settings, Screen::Problems, Screen::Shortcuts, Screen::Glossary, Screen::About]
-    {
+    for screen in [Screen::Settings, Screen::Problems, Screen::Shortcuts, Screen::Glossary, Screen::About] {
         person.ask(Action::Show(screen));
         faults.look(person, &format!("{screen:?}"));
         person.press(Key::Escape, Modifiers::NONE);

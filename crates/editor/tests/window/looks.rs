@@ -80,7 +80,8 @@ fn the_settings_of_a_model() {
 /// A vase, turned: rings of points, wide in the middle.
 fn vase() -> String {
     const AROUND: usize = 48;
-    let profile = [[0.18, 0.0], [0.3, 0.12], [0.36, 0.3], [0.3, 0.5], [0.16, 0.68], [0.14, 0.78], [0.22, 0.9]];
+    let profile =
+        [[0.18, 0.0], [0.3, 0.12], [0.36, 0.3], [0.3, 0.5], [0.16, 0.68], [0.14, 0.78], [0.22, 0.9]];
     let mut text = String::new();
     for [radius, y] in profile {
         for i in 0..AROUND {

@@ -39,7 +39,8 @@ impl Person {
         text::set_language(config.language);
         let size = Vec2::from(WINDOW_SIZE);
         let builder = Harness::builder().with_size(size).with_max_steps(32).renderer(CpuRenderer::default());
-        let window = builder.build_eframe(move |creation| Editor::new(&creation.egui_ctx, places, None, pace));
+        let window =
+            builder.build_eframe(move |creation| Editor::new(&creation.egui_ctx, places, None, pace));
         let mut person = Self { window, home };
         person.wait();
         person
@@ -200,8 +201,7 @@ impl Person {
 
     /// Types into a field in place of what stands there, and stays in it.
     pub fn enter(&mut self, name: &str, text: &str) {
-        let is_field =
-            |n: &Node<'_>| matches!(n.accesskit_node().role(), Role::TextInput | Role::SpinButton);
+        let is_field = |n: &Node<'_>| matches!(n.accesskit_node().role(), Role::TextInput | Role::SpinButton);
         let field = self.all(name).into_iter().rfind(is_field);
         field.unwrap_or_else(|| panic!("no field {name:?}; there are: {:?}", self.names())).focus();
         self.wait();
