@@ -85,6 +85,10 @@ impl Canvas {
         if !bounds.is_positive() {
             return;
         }
+        // Most of a window is of one colour, which need not be looked up for each pixel.
+        let [first, rest @ ..] = triangle;
+        let is_plain = rest.iter().all(|v| v.uv == first.uv && v.color == first.color);
+        let plain = is_plain.then(|| shade(triangle, [1.0, 0.0, 0.0], texture));
         for y in bounds.top().floor() as usize..(bounds.bottom().ceil() as usize).min(clip.bottom() as usize)
         {
             for x in
@@ -100,7 +104,7 @@ impl Canvas {
                 let counts =
                     |i: usize| weights[i] > 0.0 || (weights[i] == 0.0 && is_top_left(edges[i], area));
                 if (0..3).all(counts) {
-                    self.blend(x, y, shade(triangle, weights, texture));
+                    self.blend(x, y, plain.unwrap_or_else(|| shade(triangle, weights, texture)));
                 }
             }
         }
