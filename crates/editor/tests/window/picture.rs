@@ -19,7 +19,7 @@ fn c9_the_renderer_is_switched_in_the_line_at_the_bottom() {
     person.use_tool("Sphere");
     must_be_seen(&mut person, |person| person.click("Ray casting"));
     assert_eq!(person.scene().settings.renderer, Renderer::Cast);
-    must_be_seen(&mut person, |person| person.click("Mirrors and shadows"));
+    must_be_seen(&mut person, |person| person.click("Classic"));
     assert_eq!(person.scene().settings.renderer, Renderer::Classic);
 }
 
