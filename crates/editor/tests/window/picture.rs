@@ -11,7 +11,7 @@ use vitrine_editor::document::Thing;
 use vitrine_editor::files::Config;
 use vitrine_editor::live::FinalState;
 use vitrine_editor::text::Language;
-use vitrine_editor::{Pace, WINDOW_SIZE, window_builder};
+use vitrine_editor::{Editor, Pace, WINDOW_SIZE, window_builder};
 
 #[test]
 fn c9_the_renderer_is_switched_in_the_line_at_the_bottom() {
@@ -111,7 +111,8 @@ fn with_long_render() -> Person {
 fn c15_a_render_is_started_stopped_continued_and_saved_as_it_is() {
     let mut person = with_long_render();
     person.use_tool("Start");
-    person.until("some of the picture", |e| e.live().status().samples_done > 0);
+    let has_samples = |e: &Editor| e.live().final_image().is_some_and(|image| image.film.samples() > 0);
+    person.until("some of the picture", has_samples);
     assert_eq!(person.window.state().live().final_state(), FinalState::Running);
     person.use_tool("Stop");
     person.until("the stop", |e| e.live().final_state() == FinalState::Stopped);
