@@ -152,7 +152,7 @@ impl Editor {
                 let addition = self.new_thing(new);
                 self.dialog = ThingDialog::add(&addition, &self.document).map(|d| Dialog::Thing(Box::new(d)));
             }
-            Action::EditDialog(thing) if self.is_model(&thing) => self.show_model_settings(&thing),
+            Action::EditDialog(thing) if self.document.is_model(&thing) => self.show_model_settings(&thing),
             Action::EditDialog(thing) => {
                 self.dialog = ThingDialog::edit(&thing, &self.document).map(|d| Dialog::Thing(Box::new(d)));
             }
@@ -163,8 +163,11 @@ impl Editor {
             }
             Action::ChooseFile { thing, key } => {
                 let folder = self.scene_folder();
-                let purpose =
-                    if self.is_model(&thing) { Purpose::ReplaceModel } else { Purpose::ReplaceTexture };
+                let purpose = if self.document.is_model(&thing) {
+                    Purpose::ReplaceModel
+                } else {
+                    Purpose::ReplaceTexture
+                };
                 self.chooser.open(purpose, folder.as_deref(), "");
                 self.scenes.choose_for(thing, key);
             }

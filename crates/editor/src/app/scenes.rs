@@ -14,7 +14,7 @@ use crate::panels::properties::PropertiesState;
 use crate::text::tr;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use vitrine::scene::{ListName, Scene, Shape, Value};
+use vitrine::scene::{ListName, Scene, Value};
 
 /// What is being read and written.
 #[derive(Default)]
@@ -375,12 +375,6 @@ impl Editor {
         if let Some(dialog) = ModelDialog::edit(thing, &self.document) {
             self.dialog = Some(Dialog::Model(Box::new(dialog)));
         }
-    }
-
-    /// Whether a thing is a model.
-    pub(super) fn is_model(&self, thing: &Thing) -> bool {
-        let object = thing.name().and_then(|name| self.document.scene().object(name));
-        thing.list() == Some(ListName::Object) && object.is_some_and(|o| matches!(o.shape, Shape::Mesh(_)))
     }
 
     /// Tells why a file was not opened. What was open stays.

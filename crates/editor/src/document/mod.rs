@@ -33,7 +33,7 @@ use edits::Draft;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use vitrine::formats::SceneFile;
-use vitrine::scene::{Assets, Scene, Severity};
+use vitrine::scene::{Assets, ListName, Scene, Severity, Shape};
 
 /// A scene that is being edited. There is never one with errors in it: an edit that would make one is refused.
 #[derive(Debug)]
@@ -157,6 +157,13 @@ impl Document {
                 self.asset_warnings.push(warning);
             }
         }
+    }
+
+    /// Whether a thing is an object that is a model.
+    #[must_use]
+    pub fn is_model(&self, thing: &Thing) -> bool {
+        let object = thing.name().and_then(|name| self.scene.object(name));
+        thing.list() == Some(ListName::Object) && object.is_some_and(|o| matches!(o.shape, Shape::Mesh(_)))
     }
 
     /// What is selected.

@@ -12,7 +12,7 @@ pub mod toolbar;
 use crate::document::{Document, Thing};
 use crate::files::Config;
 use std::path::PathBuf;
-use vitrine::scene::{Shape, Value};
+use vitrine::scene::Value;
 
 /// How the final render stands.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -51,9 +51,7 @@ impl Around<'_> {
     /// Whether the thing selected last is a model.
     #[must_use]
     pub fn has_model_selected(&self) -> bool {
-        let scene = self.document.scene();
-        let object = self.document.selection().last().and_then(Thing::name).and_then(|n| scene.object(n));
-        object.is_some_and(|o| matches!(o.shape, Shape::Mesh(_)))
+        self.document.selection().last().is_some_and(|thing| self.document.is_model(thing))
     }
 
     /// A parameter of the scene's settings.
