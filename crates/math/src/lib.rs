@@ -5,6 +5,7 @@
 
 mod bounds;
 mod color;
+mod frame;
 pub mod hash;
 mod offset;
 mod power;
@@ -14,7 +15,8 @@ pub mod warp;
 
 pub use bounds::Bounds3;
 pub use color::{ParseColorError, Rgb, linear_from_srgb, srgb_from_linear};
-pub use glam::{Affine3A, Mat3, Quat, Vec2, Vec3, Vec4};
+pub use frame::Frame;
+pub use glam::{Affine3A, DVec3, Mat3, Quat, Vec2, Vec3, Vec4};
 pub use offset::{OFFSET_SHARE, OFFSET_STEPS, offset_origin};
 pub use power::pow_unit;
 pub use ray::Ray;
