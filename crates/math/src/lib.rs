@@ -3,6 +3,7 @@
 //! Everything here gives the same bits on every machine: transcendental functions come from `libm`
 //! and nothing uses fused multiply-add. That is what lets a picture be the same on any computer.
 
+mod black_body;
 mod bounds;
 mod color;
 mod frame;
@@ -13,6 +14,7 @@ mod ray;
 mod transform;
 pub mod warp;
 
+pub use black_body::black_body_color;
 pub use bounds::Bounds3;
 pub use color::{ParseColorError, Rgb, linear_from_srgb, srgb_from_linear};
 pub use frame::Frame;
