@@ -7,12 +7,18 @@ mod lamps;
 mod limits;
 mod materials;
 mod models;
+mod photoreal;
+mod physical;
+mod solids;
 mod touching;
 
 pub use camera::CompiledCamera;
 pub use geometry::{Form, Primitive};
 pub use limits::{FARTHEST, memory_limit};
 pub use materials::{CompiledMaterial, CompiledTexture};
+pub use photoreal::Photoreal;
+pub use physical::CompiledPhysical;
+pub use solids::{AIR, Piece, Solids, probe};
 pub use touching::reach_of;
 
 use crate::accel::simd::Instructions;
@@ -37,6 +43,10 @@ pub struct CompiledScene {
     pub(crate) lights: Vec<CompiledLight>,
     /// What shines, as it is: each light with its radiance and its place in the scene's list.
     pub(crate) emissions: Vec<(Emission, Rgb, usize)>,
+    /// The materials as the photoreal renderer sees them, by the same indices.
+    pub(crate) physical: Vec<CompiledPhysical>,
+    /// What else the photoreal renderer needs.
+    pub(crate) photoreal: Photoreal,
     /// The sum of all light that is everywhere.
     pub(crate) ambient: Rgb,
     pub(crate) background: Rgb,

@@ -166,6 +166,12 @@ impl Solids {
         &self.clear
     }
 
+    /// Whether that one is among them.
+    #[inline]
+    pub fn is_clear(&self, solid: u16) -> bool {
+        self.clear.binary_search(&solid).is_ok()
+    }
+
     /// Whether there is none.
     pub fn is_empty(&self) -> bool {
         self.list.is_empty()
