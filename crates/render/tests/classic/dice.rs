@@ -120,8 +120,12 @@ impl Author {
             ParamKind::Choice(words) => Value::Text(self.one_of(words).to_owned()),
             ParamKind::Text => Value::Text("a scene by chance".to_owned()),
             ParamKind::File => {
-                let is_model = matches!(owner, Owner::Item(ListName::Object, _));
-                Value::Text(self.one_of(if is_model { &MODELS } else { &PICTURES }).to_owned())
+                let files: &[&str] = match owner {
+                    Owner::Item(ListName::Object, _) => &MODELS,
+                    Owner::Item(ListName::Light, _) => &PANORAMAS,
+                    _ => &PICTURES,
+                };
+                Value::Text(self.one_of(files).to_owned())
             }
             ParamKind::Reference(list) => match scene.names(list).collect::<Vec<_>>() {
                 names if names.is_empty() => Value::Nothing,
@@ -161,6 +165,9 @@ impl Author {
         self.fill(&mut scene, Owner::Camera);
         if scene.camera.look_at.is_some() {
             scene.camera.turn_deg = None;
+        }
+        if matches!(scene.camera.blades, 1 | 2) {
+            scene.camera.blades = 0;
         }
         (0..3).for_each(|_| self.add(&mut scene, |s| &mut s.lights, LightSource::KINDS));
         (0..2).for_each(|_| self.add(&mut scene, |s| &mut s.textures, TextureSource::KINDS));
