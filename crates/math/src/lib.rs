@@ -6,6 +6,7 @@
 mod black_body;
 mod bounds;
 mod color;
+mod frame;
 pub mod hash;
 mod offset;
 mod power;
@@ -16,7 +17,8 @@ pub mod warp;
 pub use black_body::black_body_color;
 pub use bounds::Bounds3;
 pub use color::{ParseColorError, Rgb, linear_from_srgb, srgb_from_linear};
-pub use glam::{Affine3A, Mat3, Quat, Vec2, Vec3, Vec4};
+pub use frame::Frame;
+pub use glam::{Affine3A, DVec3, Mat3, Quat, Vec2, Vec3, Vec4};
 pub use offset::{OFFSET_SHARE, OFFSET_STEPS, offset_origin};
 pub use power::pow_unit;
 pub use ray::Ray;
