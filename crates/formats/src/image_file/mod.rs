@@ -4,9 +4,11 @@
 mod exr;
 mod hdr;
 mod jpeg;
+mod panorama;
 mod picture;
 mod png;
 
+pub use panorama::{parse_panorama, read_panorama};
 pub use picture::{parse_picture, read_picture};
 
 use crate::{FormatError, write_atomically};
