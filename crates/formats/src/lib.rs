@@ -7,6 +7,7 @@ mod error;
 pub mod image_file;
 pub mod mesh_file;
 pub mod scene_file;
+pub mod state_file;
 
 pub use assets::load_assets;
 pub use atomic::write_atomically;
@@ -16,6 +17,7 @@ pub use image_file::{
     write_image,
 };
 pub use mesh_file::{MESH_FORMATS, read_mesh};
+pub use state_file::{RenderState, read_state, write_state};
 pub use scene_file::{Finding, SceneFile, SceneFileError};
 
 /// Extensions for a message: ".png, .jpg, .jpeg".

@@ -1,7 +1,7 @@
 //! Linear colour, and the sRGB curve at the edges.
 
 use std::fmt;
-use std::ops::{Add, AddAssign, Div, Mul, MulAssign};
+use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Sub};
 
 /// A colour or a radiance: linear Rec. 709 red, green and blue. Not clamped.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -107,6 +107,13 @@ impl Add for Rgb {
 impl AddAssign for Rgb {
     fn add_assign(&mut self, o: Self) {
         *self = *self + o;
+    }
+}
+
+impl Sub for Rgb {
+    type Output = Self;
+    fn sub(self, o: Self) -> Self {
+        Self::new(self.r - o.r, self.g - o.g, self.b - o.b)
     }
 }
 

@@ -7,6 +7,7 @@
 mod assets;
 mod camera;
 mod check;
+mod closed;
 mod declare;
 mod group;
 pub mod lights;

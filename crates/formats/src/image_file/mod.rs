@@ -13,7 +13,7 @@ pub use picture::{parse_picture, read_picture};
 
 use crate::{FormatError, write_atomically};
 use std::path::Path;
-use vitrine_film::{Image, ViewTransform};
+use vitrine_film::{Display, Image};
 
 /// A format in which pictures are written.
 #[derive(Clone, Copy, Debug)]
@@ -46,7 +46,7 @@ pub struct WriteOptions {
     /// JPEG only: 1 is small and poor, 100 large and fine.
     pub jpeg_quality: u8,
     /// For PNG and JPEG; OpenEXR and HDR keep linear light.
-    pub view: ViewTransform,
+    pub display: Display,
     /// Keys and texts that go into the file. Known to other programs are "Software", "Description" and "Title"; own
     /// keys begin with "vitrine:". Keys are printable ASCII of at most 31 characters, without a space or `=`.
     pub metadata: Vec<(String, String)>,
@@ -54,7 +54,7 @@ pub struct WriteOptions {
 
 impl Default for WriteOptions {
     fn default() -> Self {
-        Self { bits: BitDepth::Eight, jpeg_quality: 92, view: ViewTransform::default(), metadata: Vec::new() }
+        Self { bits: BitDepth::Eight, jpeg_quality: 92, display: Display::default(), metadata: Vec::new() }
     }
 }
 

@@ -53,10 +53,11 @@ impl Photoreal {
         let middle = if parts.bounds.is_empty() { Vec3::ZERO } else { parts.bounds.center() };
         let size = if parts.bounds.is_empty() { 1.0 } else { parts.bounds.size().length() };
         let reach = size + (parts.camera - middle).length();
+        let has_dispersion = solids.iter().any(|(_, s)| s.substance.is_dispersive);
         Self {
             lights: Lights::new(lamps(parts, middle), emitters(parts)),
             passes_sheets: parts.primitives.iter().any(is_sheet) || solids.iter().count() > 1,
-            has_dispersion: solids.iter().any(|(_, s)| s.substance.is_dispersive),
+            has_dispersion,
             solids,
             has_panorama: parts.emissions.iter().any(|(e, ..)| sees_far(e)),
             far: f64::from(reach).max(1e-6) * FAR,

@@ -141,7 +141,9 @@ impl CompiledPhysical {
 
     /// The share of light that passes a thin sheet of it straight on; `cos` is that between the way and the normal.
     pub fn passed_sheet(&self, cos: f32) -> Rgb {
-        let surface = Surface { thin_walled: true, ..self.surface };
+        let thin_absorption = self.surface.transmission_tint;
+        let surface =
+            Surface { thin_walled: true, thin_absorption, transmission_tint: Rgb::WHITE, ..self.surface };
         Bsdf::new(&surface, cos.abs()).passed_straight(cos.abs())
     }
 }
@@ -160,7 +162,7 @@ fn surface_of(m: &PhysicalMaterial) -> Surface {
         transmission: m.transmission_weight,
         transmission_tint: tint,
         thin_walled: false,
-        thin_absorption: tint,
+        thin_absorption: Rgb::WHITE,
         coat_weight: m.coat_weight,
         coat_color: m.coat_color,
         coat_roughness: m.coat_roughness,
@@ -254,6 +256,6 @@ pub fn is_thin(material: &PhysicalMaterial, primitive: &Primitive) -> bool {
     material.geometry_thin_walled.unwrap_or(match &primitive.form {
         Form::Sphere { .. } | Form::Ellipsoid { .. } | Form::Box { .. } => false,
         Form::Plane { .. } | Form::Disc { .. } | Form::Triangle { .. } => true,
-        Form::Mesh { mesh, .. } => !mesh.is_closed(),
+        Form::Mesh { mesh, accel, .. } => !accel.is_closed(|| mesh.is_closed()),
     })
 }

@@ -2,10 +2,12 @@
 
 mod classic;
 mod light;
+mod photoreal;
 mod soft;
 mod tile;
 mod wave;
 
+pub use photoreal::CompiledMedia;
 pub use wave::lanes_below;
 
 use crate::compile::CompiledScene;
@@ -50,13 +52,15 @@ pub const fn keeps(settings: &Settings) -> Keep {
 #[derive(Debug, Default)]
 pub struct Workshop {
     classic: classic::Waves,
+    photoreal: photoreal::Paths,
 }
 
 impl Workshop {
     /// Works out the samples of a tile. None when it was cancelled in between.
     pub fn fill(&mut self, task: &TileTask, cancel: &Cancel) -> Option<Filled<'_>> {
         let reach = match task.settings.renderer {
-            Renderer::Classic | Renderer::Photoreal => classic::Reach::Recursive,
+            Renderer::Photoreal => return self.photoreal.fill(task, cancel),
+            Renderer::Classic => classic::Reach::Recursive,
             Renderer::Cast => classic::Reach::CameraOnly,
         };
         let (light, rays) = self.classic.fill(task, reach, cancel)?;

@@ -1,5 +1,10 @@
 //! Sample points as pure functions of (pixel, sample, dimension, seed): the same for any number of threads.
 
+pub mod filter;
+mod path;
+
+pub use path::PathSampler;
+
 use vitrine_math::hash;
 
 /// Where in its pixel a sample lies, from 0 to 1 on both axes. Sample 0 is the middle, all others fill the pixel evenly around

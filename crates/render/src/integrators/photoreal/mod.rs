@@ -21,11 +21,10 @@ use crate::job::Cancel;
 use crate::samplers::{PathSampler, filter};
 use crate::surface::Spots;
 use connect::Connector;
-use media::Media;
 use path::Path;
 use shadow::Shadows;
 use vitrine_film::{Features, TileSums};
-use vitrine_math::{Ray, Rgb};
+use vitrine_math::Rgb;
 
 pub use media::Media as CompiledMedia;
 

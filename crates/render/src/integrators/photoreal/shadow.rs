@@ -122,5 +122,5 @@ fn passed(scene: &CompiledScene, spots: &Spots, (i, ray, hit): (usize, &Ray, Hit
     }
     let spot = spots.get(i, hit);
     let material = &scene.physical[spot.material as usize];
-    if material.is_sheet { material.passed_sheet(-ray.direction.dot(spot.ns)) } else { Rgb::BLACK }
+    if material.is_sheet() { material.passed_sheet(-ray.direction.dot(spot.ns)) } else { Rgb::BLACK }
 }

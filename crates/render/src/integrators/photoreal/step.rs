@@ -329,6 +329,12 @@ impl Tools<'_, '_> {
         dressed: Dressed,
     ) {
         let Dressed { frame, mut surface, .. } = dressed;
+        if solid == AIR && surface.transmission > 0.0 {
+            // What has no inside is a sheet, which tints as a whole.
+            surface.thin_walled = true;
+            surface.thin_absorption = surface.transmission_tint;
+            surface.transmission_tint = Rgb::WHITE;
+        }
         let here = if solid == AIR {
             self.solids().substance(sides.before).map_or(1.0, |s| s.index_at(path.wavelength))
         } else {
@@ -356,7 +362,7 @@ impl Tools<'_, '_> {
         let wi = frame.world(sample.wi).normalize();
         // A normal for shading may send light to the other side of the surface than it is meant to.
         let goes_through = wi.dot(spot.n) < 0.0;
-        if goes_through != sample.is_transmission {
+        if goes_through != sample.event.is_transmission {
             return;
         }
         self.follow(&mut path, spot, (solid, sides), &sample, (wi, surface.eta));
@@ -374,18 +380,18 @@ impl Tools<'_, '_> {
         (wi, eta): (Vec3, f32),
     ) {
         path.beta = path.beta * sample.weight;
-        if sample.is_transmission && solid != AIR {
+        if sample.event.is_transmission && solid != AIR {
             path.media = sides.media;
             path.condensed *= eta * eta;
         }
         path.polarisation = Polarisation::default();
-        if !sample.is_delta {
+        if !sample.event.is_delta {
             let (n, media) = (spot.n, path.media);
             path.origin = Origin { x: spot.p, n, pdf: sample.pdf, wi, media };
             path.chain = Chain::default();
             path.is_seen = false;
-        } else if solid != AIR || !sample.is_transmission {
-            self.add_to_chain(path, solid, spot, !sample.is_transmission);
+        } else if solid != AIR || !sample.event.is_transmission {
+            self.add_to_chain(path, solid, spot, !sample.event.is_transmission);
         }
     }
 

@@ -55,7 +55,7 @@ pub fn dress(scene: &CompiledScene, material: &CompiledPhysical, spot: &Spot, ar
 
 /// The normal after its maps, on the viewer's side.
 fn bent_normal(scene: &CompiledScene, material: &CompiledPhysical, spot: &Spot, uv: [f32; 2]) -> Vec3 {
-    let [along_u, along_v] = scene.tangents(spot, uv);
+    let [along_u, along_v] = scene.tangents(spot);
     let mut n = spot.ns;
     if let Some(map) = material.textures.normal_map {
         // Colours from 0 to 1 are components from −1 to 1; the map's z is out of the surface.

@@ -3,24 +3,24 @@
 use super::{Connection, MOST_STEPS, Search, Step, Steps};
 use crate::compile::{AIR, Piece};
 use vitrine_math::DVec3;
-use vitrine_optics::connect::faces::{self, Face as FlatFace};
-use vitrine_optics::connect::{Chain as Way, Chains, planes, sphere};
+use vitrine_optics::connect::planes::{self, Stack};
+use vitrine_optics::connect::sphere::{self, Way};
+use vitrine_optics::connect::{Chain, Chains, Target};
 
 /// Faces whose normals' cosine differs from 1 by less are parallel.
 const PARALLEL: f64 = 1e-9;
 /// The most reflections inside a ball that are solved: one makes the rainbow's bright side.
-const MOST_INSIDE: i32 = 1;
+const MOST_INSIDE: u32 = 1;
 
 /// The way through flat faces, if there is one that meets them inside their edges.
 pub fn flat(search: &Search, steps: &Steps, medium_y: u16) -> Option<Connection> {
     let all = steps.all();
     let n = all.first()?.n;
     let is_parallel = all.iter().all(|s| 1.0 - s.n.dot(n).abs() < PARALLEL);
-    let connection = if is_parallel {
-        parallel(search, steps, n, medium_y)?
-    } else {
-        slanted(search, steps, medium_y)?
-    };
+    if !is_parallel {
+        return None;
+    }
+    let connection = parallel(search, steps, n, medium_y)?;
     let is_inside = all.iter().zip(&connection.vertices).all(|(s, v)| is_on_face(search, s, *v));
     is_inside.then_some(connection)
 }
@@ -57,7 +57,8 @@ fn parallel(search: &Search, steps: &Steps, n: DVec3, medium_y: u16) -> Option<C
     let along = n * start;
     let lateral = way - n * n.dot(way);
     let y = lateral + along * (unfolded + last);
-    let way = planes::connect(DVec3::ZERO, y, along, &offsets[..all.len()], &indices[..=all.len()])?;
+    let stack = Stack { n: along, offsets: &offsets[..all.len()], indices: &indices[..=all.len()] };
+    let way = planes::connect(DVec3::ZERO, Target::Point(y), &stack)?;
     let mut connection = Connection {
         steps: *steps,
         vertices: [DVec3::ZERO; MOST_STEPS],
@@ -78,26 +79,6 @@ fn parallel(search: &Search, steps: &Steps, n: DVec3, medium_y: u16) -> Option<C
     Some(connection)
 }
 
-/// Through faces that are not parallel. Not off them.
-fn slanted(search: &Search, steps: &Steps, medium_y: u16) -> Option<Connection> {
-    let all = steps.all();
-    if all.iter().any(|s| s.reflects) {
-        return None;
-    }
-    let none = FlatFace { point: DVec3::ZERO, n: DVec3::Z, index_before: 1.0, index_after: 1.0 };
-    let mut flat = [none; MOST_STEPS];
-    for (face, step) in flat.iter_mut().zip(all) {
-        *face = FlatFace {
-            point: step.n * step.offset,
-            n: step.n,
-            index_before: search.index(step.before),
-            index_after: search.index(step.beyond),
-        };
-    }
-    let way = faces::connect(search.ends.x, search.ends.y, &flat[..all.len()])?;
-    Some(taken(&way, *steps, medium_y))
-}
-
 /// Whether a vertex lies inside the edges of its face.
 fn is_on_face(search: &Search, step: &Step, vertex: DVec3) -> bool {
     match search.solids.get(step.solid).piece {
@@ -110,7 +91,7 @@ fn is_on_face(search: &Search, step: &Step, vertex: DVec3) -> bool {
     }
 }
 
-fn taken(way: &Way, steps: Steps, medium_y: u16) -> Connection {
+fn taken(way: &Chain, steps: Steps, medium_y: u16) -> Connection {
     let mut vertices = [DVec3::ZERO; MOST_STEPS];
     for (to, from) in vertices.iter_mut().zip(way.vertices()) {
         *to = *from;
@@ -150,27 +131,29 @@ fn through(search: &Search, ball: &Ball, chains: &mut Chains, found: &mut Vec<Co
         return;
     }
     let eta = search.index(ball.solid) / search.index(ball.here);
-    for inside in -1..=MOST_INSIDE {
-        let steps = steps_through(ball, inside);
+    let target = Target::Point(ends.y);
+    let form = sphere::Ball { center: ball.center, radius: ball.radius, eta };
+    for way in std::iter::once(Way::Off).chain((0..=MOST_INSIDE).map(Way::Across)) {
+        let steps = steps_through(ball, way);
         if !search.wants(&steps.chain()) {
             continue;
         }
         chains.clear();
-        sphere::connect(ends.x, ends.y, ball.center, ball.radius, eta, inside, chains);
-        found.extend(chains.iter().map(|way| with_normals(ball, taken(way, steps, ball.here))));
+        sphere::connect(ends.x, target, &form, way, chains);
+        found.extend(chains.as_slice().iter().map(|c| with_normals(ball, taken(c, steps, ball.here))));
     }
 }
 
-/// Off a ball (−1), or in, that many reflections inside, and out again.
-fn steps_through(ball: &Ball, inside: i32) -> Steps {
+/// Off a ball, or in, some reflections inside, and out again.
+fn steps_through(ball: &Ball, way: Way) -> Steps {
     let &Ball { solid, here, .. } = ball;
     let off = Step { solid, reflects: true, before: here, beyond: solid, ..Step::NONE };
     let echo = Step { before: solid, beyond: here, ..off };
     let mut steps = Steps::default();
-    if inside < 0 {
+    let Way::Across(inside) = way else {
         steps.push(off);
         return steps;
-    }
+    };
     steps.push(Step { reflects: false, ..off });
     for _ in 0..inside {
         steps.push(echo);
@@ -192,10 +175,11 @@ fn out_of(search: &Search, ball: &Ball, chains: &mut Chains, found: &mut Vec<Con
     }
     let eta = search.index(ball.solid) / search.index(sides.beyond);
     chains.clear();
-    sphere::connect_from_inside(ends.x, ends.y, ball.center, ball.radius, eta, chains);
+    let form = sphere::Ball { center: ball.center, radius: ball.radius, eta };
+    sphere::connect(ends.x, Target::Point(ends.y), &form, Way::Out(0), chains);
     // What lies around the ball lies at y, too, or something is between that is not solved.
     let medium_y = if sides.beyond == AIR { AIR } else { sides.beyond };
-    found.extend(chains.iter().map(|way| with_normals(ball, taken(way, steps, medium_y))));
+    found.extend(chains.as_slice().iter().map(|c| with_normals(ball, taken(c, steps, medium_y))));
 }
 
 /// With the ball's normals where the way meets it.
