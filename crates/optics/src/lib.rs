@@ -1,5 +1,6 @@
 //! What light does at a surface: reflection, refraction, highlights. Directions and numbers only; no scene, no rays.
 
+pub mod connect;
 mod fresnel;
 mod phong;
 mod refraction;
