@@ -134,9 +134,8 @@ pub(super) fn miss(x: DVec3, target: Target, chain: &Chain, events: &[Event], sc
     for (k, e) in events.iter().enumerate() {
         let before = if k == 0 { x } else { points[k - 1] };
         let n = e.surface.normal(points[k]);
-        let (t, at) = e.surface.meet(before, (points[k] - before).normalize()).unwrap();
+        let (t, _) = e.surface.meet(before, (points[k] - before).normalize()).unwrap();
         error = error.max((before + (points[k] - before).normalize() * t - points[k]).length() / scale);
-        let _ = at;
         let wi = (points[k] - before).normalize();
         let wo = match (points.get(k + 1), target) {
             (Some(next), _) => (next - points[k]).normalize(),
@@ -155,4 +154,57 @@ pub(super) fn miss(x: DVec3, target: Target, chain: &Chain, events: &[Event], sc
     error = error.max((last - chain.wy).length());
     let first = points.first().map_or(chain.wx, |p| (p - x).normalize());
     error.max((first - chain.wx).length())
+}
+
+/// The smallest cosine between the path and the surfaces, on both sides of each vertex: how near it is to grazing.
+pub(super) fn steepness(chain: &Chain, events: &[Event]) -> f64 {
+    let points = chain.vertices();
+    let mut least = 1.0_f64;
+    for (k, e) in events.iter().enumerate() {
+        let n = e.surface.normal(points[k]);
+        let wi = if k == 0 { chain.wx } else { (points[k] - points[k - 1]).normalize() };
+        let wo = points.get(k + 1).map_or(chain.wy, |p| (p - points[k]).normalize());
+        least = least.min(n.dot(wi).abs()).min(n.dot(wo).abs());
+    }
+    least
+}
+
+/// Looks for chains that a search has missed: sends rays from `x` in many directions, neighbours one after the other,
+/// and counts the pairs between which the light is passed and no chain starts. None where nothing was seen to test.
+pub(super) fn missed_chains(
+    (x, target): (DVec3, Target),
+    chains: &[Chain],
+    events: &[Event],
+    directions: impl Iterator<Item = DVec3>,
+    (across, ahead): (DVec3, f64),
+) -> (usize, usize) {
+    let (mut seen, mut missed) = (0, 0);
+    let mut last: Option<(DVec3, f64)> = None;
+    for w in directions {
+        let now = follow(x, w, events).and_then(|(p, out)| {
+            let d = match target {
+                Target::Point(y) => y - p,
+                Target::Distant(w) => w,
+            };
+            // On which side of the ray the light lies, if the ray goes its way.
+            (out.dot(d) > ahead * d.length()).then(|| (w, across.dot(out.cross(d))))
+        });
+        if let (Some((w0, s0)), Some((w1, s1))) = (last, now)
+            && s0 * s1 < 0.0
+        {
+            seen += 1;
+            // The chain starts between the two directions.
+            let between = |c: &Chain| {
+                let slack = 1e-9;
+                w0.cross(c.wx).dot(across) * w1.cross(c.wx).dot(across) <= slack
+                    && c.wx.dot(w0 + w1) > 0.0
+                    && (c.wx - w0).length() <= (w1 - w0).length() * (1.0 + 1e-6) + slack
+            };
+            if !chains.iter().any(between) {
+                missed += 1;
+            }
+        }
+        last = now;
+    }
+    (seen, missed)
 }

@@ -2,7 +2,7 @@
 
 use vitrine_math::DVec3;
 
-use super::super::trial::{Dice, Event, Surface, event, measured_spread, miss};
+use super::super::trial::{Dice, Event, Surface, event, measured_spread, miss, steepness};
 use super::*;
 
 /// A random stack with its ends, as rays would meet it.
@@ -58,8 +58,8 @@ fn a_stack_obeys_snell_and_its_spread_is_the_derivative() {
         let events = case.events();
         let missed = miss(case.x, target, &chain, &events, 1.0);
         assert!(missed < 1e-9, "case {k}: off by {missed:e}");
-        let steep = chain.wx.dot(case.n).abs().min(chain.wy.dot(case.n).abs());
-        let measured = measured_spread(case.x, target, &chain, &events, 3e-4 * steep);
+        let steep = steepness(&chain, &events);
+        let measured = measured_spread(case.x, target, &chain, &events, 3e-4 * steep * steep);
         let error = (chain.spread / measured - 1.0).abs();
         assert!(error < 1e-5, "case {k}: {} against {measured}, off by {error:e}", chain.spread);
     }

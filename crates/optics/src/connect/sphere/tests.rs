@@ -2,7 +2,8 @@
 
 use vitrine_math::DVec3;
 
-use super::super::trial::{Dice, Event, Surface, event, measured_spread, miss};
+use super::super::MAX_CHAINS;
+use super::super::trial::{Dice, Event, Surface, event, measured_spread, miss, missed_chains, steepness};
 use super::*;
 
 /// A ball with a place for each end.
@@ -76,12 +77,7 @@ fn every_way_obeys_snell_and_its_spread_is_the_derivative() {
             for chain in out.as_slice() {
                 found += 1;
                 let missed = miss(x, target, chain, &events, ball.radius);
-                // How steeply the path meets the surface says how far rounding carries and where differences are smooth.
-                let steep = chain
-                    .vertices()
-                    .windows(2)
-                    .map(|p| (p[1] - p[0]).normalize().dot((p[0] - ball.center) / ball.radius).abs())
-                    .fold(chain.wx.dot((chain.vertices()[0] - ball.center) / ball.radius).abs(), f64::min);
+                let steep = steepness(chain, &events);
                 assert!(missed < 1e-9, "{way:?} {k}: off by {missed:e}, steepness {steep}");
                 if steep < 0.05 {
                     continue;
@@ -97,5 +93,73 @@ fn every_way_obeys_snell_and_its_spread_is_the_derivative() {
             }
         }
         assert!(found > 300, "{way:?}: {found}");
+    }
+}
+
+/// Directions from x in the plane of the ends, as dense towards the edge of the ball as the path changes there.
+fn fan(x: DVec3, toward: DVec3, ball: &Ball, count: u32) -> (impl Iterator<Item = DVec3>, DVec3) {
+    let to_x = (x - ball.center).normalize();
+    let across = to_x.cross(toward).normalize();
+    let e = across.cross(to_x);
+    let rx = (x - ball.center).length();
+    let directions = (0..=count).map(move |k| {
+        let share = 2.0 * f64::from(k) / f64::from(count) - 1.0;
+        if rx > ball.radius {
+            let s = ball.radius / rx * (share * core::f64::consts::FRAC_PI_2 * 0.999_999).sin();
+            to_x * -(1.0 - s * s).sqrt() + e * s
+        } else {
+            let (s, c) = (share * core::f64::consts::PI).sin_cos();
+            to_x * c + e * s
+        }
+    });
+    (directions, across)
+}
+
+/// Looks for chains of one way that the search misses, in random places.
+fn scan(way: Way, dice: &mut Dice, places: u32, rays: u32) -> usize {
+    let mut out = Chains::default();
+    let (mut seen, mut most) = (0, 0);
+    for k in 0..places {
+        let ball = ball(dice, true);
+        let (x, y) = ends(dice, &ball, way);
+        let (target, toward) = if k % 4 == 0 && !matches!(way, Way::In(_) | Way::Within(_)) {
+            let w = dice.direction();
+            (Target::Distant(w), w)
+        } else {
+            (Target::Point(y), y - ball.center)
+        };
+        out.clear();
+        connect(x, target, &ball, way, &mut out);
+        most = most.max(out.as_slice().len());
+        let (directions, across) = fan(x, toward, &ball, rays);
+        let (roots, missed) =
+            missed_chains((x, target), out.as_slice(), &events(&ball, way), directions, (across, 0.0));
+        assert_eq!(
+            missed,
+            0,
+            "{way:?}, place {k}: of {roots} seen, {} found: {ball:?} {x} {target:?}",
+            out.as_slice().len()
+        );
+        seen += roots;
+    }
+    assert!(most < MAX_CHAINS, "{way:?}: {most} at once");
+    seen
+}
+
+#[test]
+fn no_chain_is_missed_in_100_000_places() {
+    let mut dice = Dice(3);
+    for way in [Way::Off, Way::Across(0), Way::Across(1)] {
+        let seen = scan(way, &mut dice, 100_000, 64);
+        assert!(seen > 30_000, "{way:?}: {seen}");
+    }
+}
+
+#[test]
+fn no_chain_is_missed_by_a_close_look() {
+    let mut dice = Dice(4);
+    for way in WAYS {
+        let seen = scan(way, &mut dice, 1000, 2000);
+        assert!(seen > 300, "{way:?}: {seen}");
     }
 }
