@@ -3,15 +3,8 @@
 //! The classic renderer uses [`phong_light`], [`reflect`] and [`refract`]; the photoreal one scatters light by
 //! [`bsdf::Bsdf`], which stands on the other modules.
 
-pub mod absorption;
-pub mod bsdf;
 pub mod connect;
-pub mod dispersion;
-mod energy;
-pub mod fresnel;
-pub mod metals;
-pub mod microfacet;
-pub mod phase;
+mod fresnel;
 mod phong;
 mod refraction;
 mod sampling;

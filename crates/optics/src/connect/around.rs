@@ -5,6 +5,9 @@ use vitrine_math::DVec3;
 use super::radial::{ON_AXIS, Root, Sweep};
 use super::{Chain, Chains, MAX_VERTICES, Target};
 
+/// By how much of the radius an end may lie on the wrong side of a surface: what single precision can do.
+const SLACK: f64 = 1e-5;
+
 /// How a leg runs between two radii.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Run {
@@ -183,6 +186,16 @@ impl Around {
         let y = if self.ry.is_finite() { self.ry * self.ry * cy } else { 1.0 };
         // |b|/(n_x² r_x² cos α_x r_y² cos α_y sin Δ |Θ'|)
         ring / (x * x * cx * y)
+    }
+}
+
+/// The distance from the centre, if it is on the right side of the surface.
+#[inline]
+pub(super) fn on_side(r: f64, radius: f64, inside: bool) -> Option<f64> {
+    if inside {
+        (r <= radius * (1.0 + SLACK)).then_some(r.min(radius))
+    } else {
+        (r >= radius * (1.0 - SLACK)).then_some(r.max(radius))
     }
 }
 

@@ -2,7 +2,7 @@
 //!
 //! A smooth surface has no chance to scatter into a direction that was chosen from outside, so a shadow ray that meets
 //! glass says nothing. These solvers find the bent paths instead, exactly: through parallel planes ([`planes`]), planes
-//! that are not parallel ([`faces`]), and a ball ([`sphere`]). They are pure geometry. Fresnel, absorption, what stands in
+//! that are not parallel ([`faces`]), a ball ([`sphere`]) and concentric shells ([`shells`]). They are pure geometry. Fresnel, absorption, what stands in
 //! the way and how far a pane extends are the caller's: it knows the surfaces and gets the points on them.
 //!
 //! Numbers are f64, for the path is the small difference of long lengths and the light that it carries is a derivative
@@ -20,7 +20,10 @@ use vitrine_math::DVec3;
 mod around;
 pub mod planes;
 mod radial;
+pub mod shells;
 pub mod sphere;
+#[cfg(test)]
+mod trial;
 
 /// The most surface points that a chain can have.
 pub const MAX_VERTICES: usize = 16;

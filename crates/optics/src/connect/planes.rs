@@ -210,7 +210,12 @@ impl Ends {
         let along = d - n * h;
         let r = along.length();
         let e = if r > 0.0 { along / r } else { DVec3::ZERO };
-        (r.is_finite() && h.is_finite()).then_some(Self { up: if h < 0.0 { -1.0 } else { 1.0 }, e, r, height })
+        (r.is_finite() && h.is_finite()).then_some(Self {
+            up: if h < 0.0 { -1.0 } else { 1.0 },
+            e,
+            r,
+            height,
+        })
     }
 
     /// The angle of the path, or None where there is no path.
@@ -288,3 +293,6 @@ fn tangent(layers: &[Layer], m: f64, r: f64) -> Option<f64> {
     }
     Some(t.max(0.0))
 }
+
+#[cfg(test)]
+mod tests;

@@ -2,11 +2,8 @@
 
 use vitrine_math::DVec3;
 
-use super::around::{Around, Legs, Run};
+use super::around::{Around, Legs, Run, on_side};
 use super::{Chains, Target};
-
-/// By how much of the radius an end may lie on the wrong side of the surface: what single precision can do.
-const SLACK: f64 = 1e-5;
 
 /// A ball.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,16 +64,6 @@ pub fn connect(x: DVec3, target: Target, ball: &Ball, way: Way, out: &mut Chains
     }
 }
 
-/// The distance from the centre, if it is on the right side of the surface.
-#[inline]
-fn on_side(r: f64, radius: f64, inside: bool) -> Option<f64> {
-    if inside {
-        (r <= radius * (1.0 + SLACK)).then_some(r.min(radius))
-    } else {
-        (r >= radius * (1.0 - SLACK)).then_some(r.max(radius))
-    }
-}
-
 /// The legs of one way; None if it has too many.
 fn legs(ball: &Ball, way: Way, order: u32, (first, last): (Run, Run), ry: f64) -> Option<Legs> {
     let (n, r) = (ball.eta, ball.radius);
@@ -109,3 +96,6 @@ fn legs(ball: &Ball, way: Way, order: u32, (first, last): (Run, Run), ry: f64) -
     let index = if matches!(way, Way::In(_) | Way::Within(_)) { n } else { 1.0 };
     legs.push(index, ry, last).then_some(legs)
 }
+
+#[cfg(test)]
+mod tests;
