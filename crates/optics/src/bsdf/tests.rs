@@ -1,0 +1,1 @@
+//! Scattering held against what must be true of any surface.
