@@ -3,8 +3,13 @@
 //! The classic renderer uses [`phong_light`], [`reflect`] and [`refract`]; the photoreal one scatters light by
 //! [`bsdf::Bsdf`], which stands on the other modules.
 
-pub mod connect;
-mod fresnel;
+pub mod absorption;
+pub mod bsdf;
+pub mod dispersion;
+mod energy;
+pub mod fresnel;
+pub mod microfacet;
+pub mod phase;
 mod phong;
 mod refraction;
 mod sampling;

@@ -36,8 +36,7 @@ pub(crate) fn steps() -> &'static [Step] {
 
 /// Widths beside double precision: sums over 400 steps must be 1 to the last digit of single precision.
 fn make_steps() -> Vec<Step> {
-    let colors: Vec<[f64; 3]> =
-        (0..STEPS).map(|i| rec709_from_xyz(xyz(f64::from(middle_nm(i))))).collect();
+    let colors: Vec<[f64; 3]> = (0..STEPS).map(|i| rec709_from_xyz(xyz(f64::from(middle_nm(i))))).collect();
     let sum = |f: &dyn Fn(&[f64; 3]) -> f64| colors.iter().map(f).sum::<f64>();
     let totals = [sum(&|c| c[0]), sum(&|c| c[1]), sum(&|c| c[2])];
     let shares: Vec<[f64; 3]> =

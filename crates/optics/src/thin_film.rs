@@ -48,7 +48,11 @@ impl Film {
             let (s, p) = top.below(n, k);
             0.5 * (series(top.s, s, top.path, &table[c]) + series(top.p, p, top.path, &table[c]))
         };
-        Rgb::new(channel(0, below.n.r, below.k.r), channel(1, below.n.g, below.k.g), channel(2, below.n.b, below.k.b))
+        Rgb::new(
+            channel(0, below.n.r, below.k.r),
+            channel(1, below.n.g, below.k.g),
+            channel(2, below.n.b, below.k.b),
+        )
     }
 
     /// The reflectance for unpolarised light of one wavelength, in micrometres. The green channel of `below` counts.
@@ -142,7 +146,8 @@ const ENTRIES: usize = 1281;
 fn transform() -> &'static [Vec<Complex>; 3] {
     static TABLE: OnceLock<[Vec<Complex>; 3]> = OnceLock::new();
     TABLE.get_or_init(|| {
-        let mut table = [vec![Complex::ZERO; ENTRIES], vec![Complex::ZERO; ENTRIES], vec![Complex::ZERO; ENTRIES]];
+        let mut table =
+            [vec![Complex::ZERO; ENTRIES], vec![Complex::ZERO; ENTRIES], vec![Complex::ZERO; ENTRIES]];
         for (i, step) in spectrum::steps().iter().enumerate() {
             let turn = std::f64::consts::TAU * 1000.0
                 / (f64::from(spectrum::middle_nm(i)) * f64::from(PER_MICROMETRE));
@@ -241,11 +246,9 @@ mod tests {
 
     #[test]
     fn the_series_is_the_sum_over_the_spectrum() {
-        for (eta, below) in [
-            (1.33, glass(1.0)),
-            (1.38, glass(1.5)),
-            (2.2, Below { n: Rgb::splat(0.2), k: Rgb::splat(3.0) }),
-        ] {
+        for (eta, below) in
+            [(1.33, glass(1.0)), (1.38, glass(1.5)), (2.2, Below { n: Rgb::splat(0.2), k: Rgb::splat(3.0) })]
+        {
             for thickness in [0.1_f32, 0.35, 0.8] {
                 for cos in [1.0_f32, 0.6, 0.2] {
                     let film = Film { thickness, eta };
@@ -269,7 +272,8 @@ mod tests {
     #[test]
     fn soap_has_colours_and_a_thick_film_has_none() {
         let soap = Film { thickness: 0.32, eta: 1.33 }.reflectance(1.0, &glass(1.0)).to_array();
-        let (least, most) = (soap.iter().copied().fold(1.0, f32::min), soap.iter().copied().fold(0.0, f32::max));
+        let (least, most) =
+            (soap.iter().copied().fold(1.0, f32::min), soap.iter().copied().fold(0.0, f32::max));
         assert!(most > 3.0 * least, "{soap:?}");
         let thick = Film { thickness: 30.0, eta: 1.33 }.reflectance(1.0, &glass(1.0)).to_array();
         // Two faces without interference: 2F/(1 + F).

@@ -123,8 +123,7 @@ impl Coat {
         let bounced = recip(rest(base.reflected * reflect)) * self.pass_o;
         let own = if self.facets.is_some() { 0.0 } else { reflect };
         Split {
-            reflected: Rgb::splat(own)
-                + base.reflected * bounced * self.pass_o * self.tint_both(self.cos_o),
+            reflected: Rgb::splat(own) + base.reflected * bounced * self.pass_o * self.tint_both(self.cos_o),
             crossing: base.crossing * bounced * self.tint_once(self.cos_o),
         }
     }

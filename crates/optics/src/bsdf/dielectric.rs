@@ -42,7 +42,13 @@ impl Smooth {
 
     #[inline]
     pub(super) fn sample(&self, wo: Vec3, u: f32) -> Option<BsdfSample> {
-        if wo.z <= 0.0 { None } else if u < self.chance { self.mirror(wo) } else { self.cross(wo) }
+        if wo.z <= 0.0 {
+            None
+        } else if u < self.chance {
+            self.mirror(wo)
+        } else {
+            self.cross(wo)
+        }
     }
 
     #[inline]
@@ -68,7 +74,6 @@ impl Smooth {
         Some(BsdfSample { weight: self.weight, wi, pdf: 1.0 - self.chance, event })
     }
 
-    pub(super) fn passed_straight(&self) -> Rgb { if self.eta.is_none() { self.weight * (1.0 - self.chance) } else { Rgb::BLACK } }
     pub(super) fn albedo(&self) -> Rgb {
         let straight = self.eta.map_or(1.0, |eta| eta * eta);
         self.mirrored + self.weight * ((1.0 - self.chance) * straight)

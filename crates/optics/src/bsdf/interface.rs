@@ -60,7 +60,8 @@ impl Interface {
             weight: surface.thin_film_weight,
         });
         // A film that is itself the wall has air behind it.
-        let is_soap = surface.thin_walled && film.is_some() && (surface.eta - surface.thin_film_ior).abs() < 0.05;
+        let is_soap =
+            surface.thin_walled && film.is_some() && (surface.eta - surface.thin_film_ior).abs() < 0.05;
         let eta = if is_soap { 1.0 } else { surface.eta };
         let eta_base = if is_inside { eta * coat } else { eta / above };
         let eta_fresnel = weighted_eta(eta_base, surface.specular_weight);
@@ -101,7 +102,8 @@ impl Interface {
         let (mut reflected, mut crossing) = (Rgb::BLACK, Rgb::BLACK);
         if self.metalness < 1.0 {
             let face = self.face(cos_above);
-            let clear = if self.is_clear() { self.clear(face, cos) } else { Split { reflected: face, crossing } };
+            let clear =
+                if self.is_clear() { self.clear(face, cos) } else { Split { reflected: face, crossing } };
             let mixed = face * (1.0 - self.transmission) + clear.reflected * self.transmission;
             reflected = mixed * self.specular_color * (1.0 - self.metalness);
             crossing = clear.crossing * self.tint * (self.transmission * (1.0 - self.metalness));

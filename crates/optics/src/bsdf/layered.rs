@@ -95,7 +95,8 @@ impl Bounced {
         }
         if clear > 0.0 && !interface.is_thin_walled() {
             let eta = interface.eta;
-            let (here, there) = (energy::glass(facets.alpha(), eta), energy::glass(facets.alpha(), 1.0 / eta));
+            let (here, there) =
+                (energy::glass(facets.alpha(), eta), energy::glass(facets.alpha(), 1.0 / eta));
             let (lost, lost_there) = (1.0 - here.average(), 1.0 - there.average());
             let sent = energy::sent_on(eta, lost, lost_there);
             let front = clear * (1.0 - here.at(cos_o));

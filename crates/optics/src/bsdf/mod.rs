@@ -128,9 +128,6 @@ impl Bsdf {
         }
     }
 
-    /// stub
-    pub fn passed_straight(&self, _cos: f32) -> Rgb { match self { Self::Smooth(s) => s.passed_straight(), _ => Rgb::BLACK } }
-
     /// The surface's colour as a denoiser should see it, each channel 0 to 1.
     #[must_use]
     pub fn albedo(&self) -> Rgb {
