@@ -5,9 +5,11 @@
 
 pub mod absorption;
 pub mod bsdf;
+pub mod connect;
 pub mod dispersion;
 mod energy;
 pub mod fresnel;
+pub mod metals;
 pub mod microfacet;
 pub mod phase;
 mod phong;

@@ -74,6 +74,11 @@ impl Smooth {
         Some(BsdfSample { weight: self.weight, wi, pdf: 1.0 - self.chance, event })
     }
 
+    /// What crosses without being bent.
+    pub(super) fn passed_straight(&self) -> Rgb {
+        if self.eta.is_none() { self.weight * (1.0 - self.chance) } else { Rgb::BLACK }
+    }
+
     pub(super) fn albedo(&self) -> Rgb {
         let straight = self.eta.map_or(1.0, |eta| eta * eta);
         self.mirrored + self.weight * ((1.0 - self.chance) * straight)

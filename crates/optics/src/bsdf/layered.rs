@@ -203,6 +203,11 @@ fn film_average(interface: &Interface) -> Rgb {
 }
 
 impl Layered {
+    /// What crosses without being bent or scattered.
+    pub(super) fn passed_straight(&self) -> Rgb {
+        self.smooth.map_or(Rgb::BLACK, |smooth| smooth.passed_straight())
+    }
+
     pub(super) fn new(surface: &Surface, interface: Interface, cos_o: f32) -> Self {
         let facets = surface.facets();
         let base = interface.split(cos_o);

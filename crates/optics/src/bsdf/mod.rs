@@ -128,6 +128,17 @@ impl Bsdf {
         }
     }
 
+    /// The share of light that goes straight on, not bent and not scattered, at the angle for which this was made: that through a smooth
+    /// thin wall. Black where there is none.
+    #[must_use]
+    pub fn passed_straight(&self) -> Rgb {
+        match self {
+            Self::Lambert(_) => Rgb::BLACK,
+            Self::Smooth(smooth) => smooth.passed_straight(),
+            Self::Layered(layered) => layered.passed_straight(),
+        }
+    }
+
     /// The surface's colour as a denoiser should see it, each channel 0 to 1.
     #[must_use]
     pub fn albedo(&self) -> Rgb {

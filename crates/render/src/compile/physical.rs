@@ -144,7 +144,7 @@ impl CompiledPhysical {
         let thin_absorption = self.surface.transmission_tint;
         let surface =
             Surface { thin_walled: true, thin_absorption, transmission_tint: Rgb::WHITE, ..self.surface };
-        Bsdf::new(&surface, cos.abs()).passed_straight(cos.abs())
+        Bsdf::new(&surface, cos.abs()).passed_straight()
     }
 }
 
