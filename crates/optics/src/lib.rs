@@ -8,6 +8,7 @@ pub mod bsdf;
 pub mod dispersion;
 mod energy;
 pub mod fresnel;
+pub mod metals;
 pub mod microfacet;
 pub mod phase;
 mod phong;
