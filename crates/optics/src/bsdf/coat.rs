@@ -1,7 +1,8 @@
 //! A clear layer over the base: varnish, lacquer, the coating of a pane.
 //!
 //! The coat reflects F_c and lets 1 − F_c pass, in and out, tinted along its way. Over a smooth base the sum over all
-//! bounces between both is exact; over a rough or matte one it is that of OpenPBR 1.1, "Coat darkening".
+//! bounces between both is exact; over a rough or matte one it is that of OpenPBR 1.1, "Coat darkening". Seen from
+//! inside, a coat is on the far side of the base: exact over a smooth base, left out over a rough one.
 
 use super::interface::{Interface, Split};
 use super::{Surface, recip, rest};
