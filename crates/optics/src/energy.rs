@@ -10,9 +10,9 @@ use crate::refraction::refract;
 use std::sync::OnceLock;
 use vitrine_math::{Rgb, Vec3};
 
-/// Nodes over √cos θ, over the roughness √α, and over (η − 1)/(η + 1).
-const ANGLES: usize = 24;
-const WIDTHS: usize = 16;
+/// Nodes over √cos θ, over the fourth root of the width α, and over (η − 1)/(η + 1).
+const ANGLES: usize = 32;
+const WIDTHS: usize = 20;
 const INDICES: usize = 12;
 /// The greatest (η − 1)/(η + 1): an index of 3.
 const GREATEST: f32 = 0.5;
@@ -78,20 +78,14 @@ impl Lookup {
 /// What facets of a metal that absorbs nothing give back with one bounce.
 pub(crate) fn mirrors(alpha: f32) -> Lookup {
     static TABLE: OnceLock<Grid> = OnceLock::new();
-    let table = TABLE.get_or_init(|| Grid::new(1, |facets, wo, _| trial(facets, wo, &|_| 1.0, None)));
-    table.lookup(alpha, 0.0)
+    TABLE.get_or_init(|| Grid::new(Comes::Mirrored, |_| MIRROR)).lookup(alpha, 0.0)
 }
 
 /// What a rough dielectric reflects from outside, with one bounce. From inside, too: of an index below 1 the inverse is
 /// taken, for what lies below such a surface is not to be darkened by total reflection.
 pub(crate) fn glossy(alpha: f32, eta: f32) -> Lookup {
     static TABLE: OnceLock<Grid> = OnceLock::new();
-    let table = TABLE.get_or_init(|| {
-        Grid::new(INDICES, |facets, wo, s| {
-            let eta = (1.0 + s) / (1.0 - s);
-            trial(facets, wo, &|cos| dielectric(cos, eta), None)
-        })
-    });
+    let table = TABLE.get_or_init(|| Grid::new(Comes::Mirrored, |s| (1.0 + s) / (1.0 - s)));
     table.lookup(alpha, strength(eta))
 }
 
@@ -99,15 +93,13 @@ pub(crate) fn glossy(alpha: f32, eta: f32) -> Lookup {
 pub(crate) fn glass(alpha: f32, eta: f32) -> Lookup {
     static INTO: OnceLock<Grid> = OnceLock::new();
     static OUT: OnceLock<Grid> = OnceLock::new();
-    let make = |is_out: bool| {
-        Grid::new(INDICES, move |facets, wo, s| {
-            // An index of 1 exactly does not bend and has no facets that it could bend at.
-            let s = s.max(1e-3);
-            let eta = if is_out { (1.0 - s) / (1.0 + s) } else { (1.0 + s) / (1.0 - s) };
-            trial(facets, wo, &|cos| dielectric(cos, eta), Some(eta))
-        })
+    // An index of 1 exactly does not bend and has no facets that it could bend at.
+    let least = |s: f32| s.max(1e-3);
+    let table = if eta < 1.0 {
+        OUT.get_or_init(|| Grid::new(Comes::MirroredOrBent, |s| (1.0 - least(s)) / (1.0 + least(s))))
+    } else {
+        INTO.get_or_init(|| Grid::new(Comes::MirroredOrBent, |s| (1.0 + least(s)) / (1.0 - least(s))))
     };
-    let table = if eta < 1.0 { OUT.get_or_init(|| make(true)) } else { INTO.get_or_init(|| make(false)) };
     table.lookup(alpha, strength(eta))
 }
 
@@ -137,56 +129,72 @@ fn strength(eta: f32) -> f32 {
     ((eta - 1.0) / (eta + 1.0)).abs()
 }
 
-/// The mean over the facets that `wo` sees of what comes back: mirrored, and bent where there is an `eta`.
-fn trial(facets: &Ggx, wo: Vec3, fresnel: &dyn Fn(f32) -> f32, eta: Option<f32>) -> f32 {
-    let mut sum = 0.0;
+/// What of the light at a facet counts.
+#[derive(Clone, Copy, PartialEq)]
+enum Comes {
+    Mirrored,
+    MirroredOrBent,
+}
+
+/// An index that reflects everything: a table of it has one entry for all indices.
+const MIRROR: f32 = f32::INFINITY;
+
+/// The mean over the facets that `wo` sees of what comes back, for each index.
+fn trial(facets: &Ggx, wo: Vec3, etas: &[f32], comes: Comes) -> [f32; INDICES] {
+    let mut sums = [0.0; INDICES];
+    let g1 = facets.g1(wo);
     for i in 0..FACETS {
         // Hammersley's points.
         let u = [(i as f32 + 0.5) / FACETS as f32, i.reverse_bits() as f32 / 4_294_967_296.0];
         let m = facets.sample_visible(wo, u);
-        let cos = wo.dot(m);
+        let cos = wo.dot(m).min(1.0);
         if cos <= 0.0 {
             continue;
         }
-        let f = fresnel(cos.min(1.0));
         // G₂/G₁
-        let seen = |wi: Vec3| facets.g2(wo, wi) / facets.g1(wo);
         let mirrored = m * (2.0 * cos) - wo;
-        if mirrored.z > 0.0 {
-            sum += f * seen(mirrored);
-        }
-        if let Some(bent) = eta.and_then(|eta| refract(wo, m, eta))
-            && bent.z < 0.0
-        {
-            sum += (1.0 - f) * seen(bent);
+        let seen = if mirrored.z > 0.0 { facets.g2(wo, mirrored) / g1 } else { 0.0 };
+        for (sum, eta) in sums.iter_mut().zip(etas) {
+            let f = if *eta == MIRROR { 1.0 } else { dielectric(cos, *eta) };
+            *sum += f * seen;
+            if comes == Comes::MirroredOrBent
+                && let Some(bent) = refract(wo, m, *eta)
+                && bent.z < 0.0
+            {
+                *sum += (1.0 - f) * facets.g2(wo, bent) / g1;
+            }
         }
     }
-    sum / FACETS as f32
+    sums.map(|sum| (sum / FACETS as f32).min(1.0))
 }
 
 impl Grid {
-    /// Fills a table with what `entry` makes of facets, direction and (η − 1)/(η + 1).
-    fn new(indices: usize, entry: impl Fn(&Ggx, Vec3, f32) -> f32) -> Self {
-        let (mut albedo, mut average) = (Vec::new(), Vec::new());
-        for index in 0..indices {
-            let s = GREATEST * index as f32 / (INDICES - 1) as f32;
-            for width in 0..WIDTHS {
-                let roughness = (width as f32 / (WIDTHS - 1) as f32).max(SMOOTHEST);
-                let row: [f32; ANGLES] = std::array::from_fn(|angle| {
-                    let x = angle as f32 / (ANGLES - 1) as f32;
-                    let cos = (x * x).max(1e-4);
-                    let wo = Vec3::new((1.0 - cos * cos).max(0.0).sqrt(), 0.0, cos);
-                    Ggx::from_roughness(roughness).map_or(1.0, |facets| entry(&facets, wo, s)).min(1.0)
-                });
-                average.push(mean_of(&row));
-                albedo.push(row);
+    /// Fills a table. `index` makes an index of (η − 1)/(η + 1).
+    fn new(comes: Comes, index: impl Fn(f32) -> f32) -> Self {
+        let mut etas: Vec<f32> =
+            (0..INDICES).map(|i| index(GREATEST * i as f32 / (INDICES - 1) as f32)).collect();
+        etas.dedup();
+        let indices = etas.len();
+        let mut albedo = vec![[0.0; ANGLES]; indices * WIDTHS];
+        for width in 0..WIDTHS {
+            let root = SMOOTHEST + (1.0 - SMOOTHEST) * width as f32 / (WIDTHS - 1) as f32;
+            let Some(facets) = Ggx::from_roughness(root * root) else { continue };
+            let row: [[f32; INDICES]; ANGLES] = std::array::from_fn(|angle| {
+                let x = angle as f32 / (ANGLES - 1) as f32;
+                let cos = (x * x).max(1e-4);
+                let wo = Vec3::new((1.0 - cos * cos).max(0.0).sqrt(), 0.0, cos);
+                trial(&facets, wo, &etas, comes)
+            });
+            for i in 0..indices {
+                albedo[i * WIDTHS + width] = row.map(|of_indices| of_indices[i]);
             }
         }
+        let average = albedo.iter().map(mean_of).collect();
         Self { albedo, average, indices }
     }
 
     fn lookup(&'static self, alpha: f32, strength: f32) -> Lookup {
-        let x = alpha.sqrt() * (WIDTHS - 1) as f32;
+        let x = ((alpha.sqrt().sqrt() - SMOOTHEST) / (1.0 - SMOOTHEST)).max(0.0) * (WIDTHS - 1) as f32;
         let width = (x as usize).min(WIDTHS - 2);
         let (index, next, s) = if self.indices == 1 {
             (0, 0, 0.0)
@@ -202,8 +210,8 @@ impl Grid {
     }
 }
 
-/// Facets of no width cannot be tried; the first row stands for this roughness, which is as good as smooth.
-const SMOOTHEST: f32 = 0.032;
+/// The fourth root of the width of the first node, which is as good as smooth.
+const SMOOTHEST: f32 = 0.179;
 
 /// 2∫E(μ)μ dμ = ∫E(x²)·4x³ dx of a row that is linear in x between its nodes.
 fn mean_of(row: &[f32; ANGLES]) -> f32 {
@@ -213,8 +221,9 @@ fn mean_of(row: &[f32; ANGLES]) -> f32 {
     for (i, pair) in row.windows(2).enumerate() {
         let (x0, x1) = (i as f64 * h, (i + 1) as f64 * h);
         let slope = f64::from(pair[1] - pair[0]) / h;
-        let fourth = x1.powi(4) - x0.powi(4);
-        let fifth = 0.8 * (x1.powi(5) - x0.powi(5));
+        let (fourth0, fourth1) = (x0 * x0 * x0 * x0, x1 * x1 * x1 * x1);
+        let fourth = fourth1 - fourth0;
+        let fifth = 0.8 * (fourth1 * x1 - fourth0 * x0);
         sum += f64::from(pair[0]) * fourth + slope * (fifth - x0 * fourth);
     }
     sum as f32
@@ -234,4 +243,58 @@ pub(crate) fn sent_on(eta: f32, here: f32, there: f32) -> f32 {
 pub(crate) fn bounced_color(average: Rgb, albedo: f32) -> Rgb {
     let channel = |f: f32| f * f * albedo / (1.0 - f * (1.0 - albedo)).max(1e-6);
     Rgb::new(channel(average.r), channel(average.g), channel(average.b))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn even_light_is_reflected_as_walsh_found() {
+        assert!((fresnel_average(1.5) - 0.091_778).abs() < 1e-4);
+        assert!((fresnel_average(1.33) - 0.065_931).abs() < 1e-4);
+        assert!((fresnel_average(1.0 / 1.5) - 0.596_346).abs() < 1e-4);
+        assert_eq!(fresnel_average(1.0), 0.0);
+    }
+
+    #[test]
+    fn a_nearly_smooth_surface_reflects_like_a_smooth_one() {
+        let lookup = glossy(0.0011, 1.5);
+        for i in 1..=20_u8 {
+            let cos = f32::from(i) / 20.0;
+            assert!((lookup.at(cos) - dielectric(cos, 1.5)).abs() < 6e-3, "{cos}");
+        }
+        assert!((lookup.average() - fresnel_average(1.5)).abs() < 2e-3);
+        assert!(mirrors(0.0011).average() > 0.998);
+    }
+
+    #[test]
+    fn the_rougher_the_more_is_lost() {
+        let mut last = 1.1;
+        for alpha in [0.01, 0.1, 0.3, 0.6, 1.0] {
+            let average = mirrors(alpha).average();
+            assert!(average < last);
+            last = average;
+        }
+        assert!(last > 0.4 && last < 0.8, "{last}");
+    }
+
+    #[test]
+    fn the_average_is_that_of_the_lookup() {
+        for lookup in [mirrors(0.37), glossy(0.2, 1.4), glass(0.5, 1.6), glass(0.5, 0.6)] {
+            const N: u16 = 4000;
+            let mu = |i: u16| (f32::from(i) + 0.5) / f32::from(N);
+            let sum: f64 = (0..N).map(|i| f64::from(2.0 * mu(i) * lookup.at(mu(i)))).sum();
+            assert!((sum / f64::from(N) - f64::from(lookup.average())).abs() < 1e-5);
+        }
+    }
+
+    #[test]
+    fn both_sides_agree_on_what_is_sent_on() {
+        for (here, there) in [(0.1, 0.12), (0.02, 0.05), (0.3, 0.2)] {
+            let (x, y) = (sent_on(1.5, here, there), sent_on(1.0 / 1.5, there, here));
+            assert!((x / (2.25 * there) - y / here).abs() < 1e-4 * y / here);
+            assert!(x > 0.0 && x <= 1.0 && y > 0.0 && y <= 1.0);
+        }
+    }
 }

@@ -14,10 +14,10 @@ pub struct Ggx {
     alpha: f32,
 }
 
-/// Narrower facets than this count as a smooth surface.
-const SMOOTH: f32 = 1e-3;
-
 impl Ggx {
+    /// Narrower facets than this count as a smooth surface.
+    pub const SMOOTH: f32 = 1e-3;
+
     /// By a roughness of 0 to 1; None where that is as good as smooth.
     ///
     ///   α = r²   (OpenPBR 1.1, "Microfacet model")
@@ -25,7 +25,7 @@ impl Ggx {
     #[must_use]
     pub fn from_roughness(roughness: f32) -> Option<Self> {
         let alpha = (roughness * roughness).min(1.0);
-        (alpha >= SMOOTH).then_some(Self { alpha })
+        (alpha >= Self::SMOOTH).then_some(Self { alpha })
     }
 
     /// The width α, 0.001 to 1.

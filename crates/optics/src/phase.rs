@@ -64,20 +64,35 @@ mod tests {
     #[test]
     fn samples_follow_it() {
         const N: u32 = 40_000;
+        const BINS: usize = 50;
         let wo = Vec3::new(0.48, -0.6, 0.64);
+        let (x, y) = wo.any_orthonormal_pair();
         for g in [-0.5_f32, 0.0, 0.7] {
-            // Twenty rings of equal probability, by the integral of the function: cos(P) is what is sampled with u[0].
-            let mut mean = 0.0_f64;
+            let mut bins = [[0_u32; BINS]; 2];
             for i in 0..N {
                 let u = [hash::unit(hash::mix(2 * i)), hash::unit(hash::mix(2 * i + 1))];
                 let (wi, pdf) = sample_hg(wo, g, u);
                 assert!((wi.length() - 1.0).abs() < 1e-5);
                 let cos = -wo.dot(wi);
-                assert!((pdf - henyey_greenstein(cos, g)).abs() <= 2e-3 * pdf.max(1.0), "{g}: {pdf}");
-                mean += f64::from(cos);
+                assert!((pdf - henyey_greenstein(cos, g)).abs() <= 2e-3 * pdf, "{g}: {pdf}");
+                // ∫p from −1 to cos: (1 − g²)/(2g)·(1/√(1 + g² − 2g cos θ) − 1/(1 + g))
+                let below = if g == 0.0 {
+                    0.5 * (cos + 1.0)
+                } else {
+                    let root = (1.0 + g * g - 2.0 * g * cos).sqrt();
+                    (1.0 - g * g) / (2.0 * g) * (1.0 / root - 1.0 / (1.0 + g))
+                };
+                let turn = (wi.dot(y).atan2(wi.dot(x)) / std::f32::consts::TAU).rem_euclid(1.0);
+                for (bins, share) in bins.iter_mut().zip([below, turn]) {
+                    bins[((share * BINS as f32) as usize).min(BINS - 1)] += 1;
+                }
             }
-            // The standard deviation of a cosine is below 1, so of the mean below 1/√N.
-            assert!((mean / f64::from(N) - f64::from(g)).abs() < 4.0 / f64::from(N).sqrt(), "{g}");
+            // Chi-squared with 49 degrees of freedom: 106 once in 200,000.
+            let expected = f64::from(N) / BINS as f64;
+            for bins in bins {
+                let chi2: f64 = bins.iter().map(|&n| (f64::from(n) - expected).powi(2) / expected).sum();
+                assert!(chi2 < 106.0, "{g}: chi² = {chi2}");
+            }
         }
     }
 }

@@ -1,7 +1,8 @@
 //! A clear layer over the base: varnish, lacquer, the coating of a pane.
 //!
 //! The coat reflects F_c and lets 1 − F_c pass, in and out, tinted along its way. Over a smooth base the sum over all
-//! bounces between both is exact; over a rough or matte one it is that of OpenPBR 1.1, "Coat darkening".
+//! bounces between both is exact; over a rough or matte one it is that of OpenPBR 1.1, "Coat darkening". Seen from
+//! inside, a coat is on the far side of the base: exact over a smooth base, left out over a rough one.
 
 use super::interface::{Interface, Split};
 use super::{Surface, recip, rest};
@@ -70,15 +71,17 @@ impl Coat {
         self.matte_darkening * self.tint_both(cos_i) * pass
     }
 
-    /// The factor of a shining, rough lobe of width `alpha` below the coat: between that of a mirror, min(T(i), T(o)),
-    /// and of a matte ground. Symmetric in both directions, like all here.
+    /// The factor of a shining, rough lobe of width `alpha` below the coat: s(i)·s(o) with s(μ) = T(μ)/√T(μ̃), where μ̃ is
+    /// about where the lobe around μ looks. That is T for a mirror and T(i)T(o)/T̄ for what is as good as matte.
     #[inline]
     pub(super) fn over_facets(&self, cos_i: f32, alpha: f32) -> Rgb {
-        let pass_i = self.pass(cos_i);
-        let least = pass_i.min(self.pass_o);
-        let pass = least + alpha * (self.pass_o * pass_i / self.pass_average - least);
+        let one = |cos: f32, pass: f32| {
+            let square = cos * cos;
+            pass / self.pass((square + alpha * (0.2 - square)).sqrt()).sqrt()
+        };
+        let pass = one(self.cos_o, self.pass_o) * one(cos_i, self.pass(cos_i));
         // Caught between two mirrors: T/(1 − E_b(1 − T))
-        let darkening = recip(rest(self.base_albedo * (1.0 - least))) * least;
+        let darkening = recip(rest(self.base_albedo * (1.0 - pass))) * pass;
         darkening * self.tint_both(cos_i) * pass
     }
 
@@ -171,7 +174,13 @@ pub(super) fn beyond(surface: &Surface, interface: &Interface, base: Split, cos_
     let outside = if sin2 < 1.0 { dielectric((1.0 - sin2).sqrt(), surface.coat_ior) } else { 1.0 };
     let reflect = surface.coat_weight * outside;
     let c = surface.coat_color;
-    let tint = Rgb::WHITE.lerp(Rgb::new(c.r.sqrt(), c.g.sqrt(), c.b.sqrt()), surface.coat_weight);
+    let tint = if c == Rgb::WHITE || sin2 >= 1.0 {
+        Rgb::WHITE
+    } else {
+        let way = 0.5 / (1.0 - sin2 / (surface.coat_ior * surface.coat_ior)).max(1e-4).sqrt();
+        let channel = |c: f32| libm::powf(c.clamp(1e-4, 1.0), way);
+        Rgb::WHITE.lerp(Rgb::new(channel(c.r), channel(c.g), channel(c.b)), surface.coat_weight)
+    };
     let bounced = recip(rest(base.reflected * reflect));
     Split {
         reflected: base.reflected + base.crossing * base.crossing * bounced * (tint * tint) * reflect,

@@ -3,6 +3,7 @@
 use super::coat::{self, Coat};
 use super::interface::{Interface, Split};
 use super::{BsdfSample, Event, Surface, mean};
+use crate::fresnel;
 use crate::refraction::refract;
 use vitrine_math::{Rgb, Vec3};
 
@@ -19,6 +20,18 @@ pub struct Smooth {
 }
 
 impl Smooth {
+    /// Solid glass that absorbs nothing at its surface.
+    #[inline]
+    pub(super) fn plain_glass(eta: f32, cos_o: f32) -> Self {
+        let chance = fresnel::dielectric(cos_o, eta);
+        Self {
+            mirrored: Rgb::splat(chance),
+            chance,
+            weight: Rgb::splat(1.0 / (eta * eta)),
+            eta: (eta != 1.0).then_some(eta),
+        }
+    }
+
     pub(super) fn new(surface: &Surface, interface: &Interface, cos_o: f32) -> Self {
         let base = interface.split(cos_o);
         let split = match Coat::new(surface, base.reflected, cos_o) {
@@ -52,7 +65,7 @@ impl Smooth {
     }
 
     #[inline]
-    pub(super) fn mirror(&self, wo: Vec3) -> Option<BsdfSample> {
+    fn mirror(&self, wo: Vec3) -> Option<BsdfSample> {
         if self.chance <= 0.0 {
             return None;
         }
@@ -62,7 +75,7 @@ impl Smooth {
     }
 
     #[inline]
-    pub(super) fn cross(&self, wo: Vec3) -> Option<BsdfSample> {
+    fn cross(&self, wo: Vec3) -> Option<BsdfSample> {
         let wi = match self.eta {
             None => -wo,
             Some(eta) => refract(wo, Vec3::Z, eta)?,

@@ -63,11 +63,6 @@ impl Diffuse {
         Self { color, roughness, a, multiple: Rgb::new(channel(color.r), channel(color.g), channel(color.b)) }
     }
 
-    /// What it scatters in all, for a ground that is not too rough.
-    pub(super) fn color(&self) -> Rgb {
-        self.color
-    }
-
     /// π·f.
     #[inline]
     pub(super) fn pi_f(&self, wo: Vec3, wi: Vec3) -> Rgb {
@@ -86,7 +81,7 @@ impl Diffuse {
 #[inline]
 fn albedo(cos: f32, roughness: f32, a: f32) -> f32 {
     let x = 1.0 - cos;
-    let g_over_pi = x * (0.057_108_53 + x * (0.491_881_87 + x * (-0.332_181_44 + x * 0.071_442_995)));
+    let g_over_pi = x * (0.057_108_53 + x * (0.491_881_87 + x * (-0.332_181_44 + x * 0.071_442_99)));
     a * (1.0 + roughness * g_over_pi)
 }
 

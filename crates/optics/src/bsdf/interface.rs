@@ -38,7 +38,8 @@ pub(super) struct Interface {
     /// The index of what is directly above the base over the index here: the coat's, or 1.
     above: f32,
     metalness: f32,
-    metal: Metal,
+    /// None where nothing is metal.
+    metal: Option<Metal>,
     specular_weight: f32,
     specular_color: Rgb,
     /// How much of the dielectric is clear, and the colour it gives.
@@ -55,7 +56,7 @@ impl Interface {
         let coat = 1.0 + surface.coat_weight * (surface.coat_ior - 1.0);
         let above = if is_inside || surface.thin_walled { 1.0 } else { coat };
         let air = if is_inside { surface.eta } else { 1.0 / above };
-        let film = (surface.thin_film_weight > 0.0).then(|| Coverage {
+        let film = (surface.thin_film_weight > 0.0).then_some(Coverage {
             film: Film { thickness: surface.thin_film_thickness, eta: surface.thin_film_ior * air },
             weight: surface.thin_film_weight,
         });
@@ -70,7 +71,7 @@ impl Interface {
             eta_fresnel,
             above,
             metalness: surface.metalness,
-            metal: Metal::new(surface, above),
+            metal: (surface.metalness > 0.0).then(|| Metal::new(surface, above)),
             specular_weight: surface.specular_weight,
             specular_color: surface.specular_color,
             transmission: surface.transmission,
@@ -95,29 +96,45 @@ impl Interface {
         self.film.is_some()
     }
 
+    /// Whether a coat is above it.
+    pub(super) fn is_coated(&self) -> bool {
+        self.above != 1.0
+    }
+
     /// What becomes of light at an angle with the cosine `cos`, 0 to 1, on the side of `wo`.
     #[inline]
     pub(super) fn split(&self, cos: f32) -> Split {
-        let cos_above = self.cos_above(cos);
-        let (mut reflected, mut crossing) = (Rgb::BLACK, Rgb::BLACK);
-        if self.metalness < 1.0 {
-            let face = self.face(cos_above);
-            let clear =
-                if self.is_clear() { self.clear(face, cos) } else { Split { reflected: face, crossing } };
-            let mixed = face * (1.0 - self.transmission) + clear.reflected * self.transmission;
-            reflected = mixed * self.specular_color * (1.0 - self.metalness);
-            crossing = clear.crossing * self.tint * (self.transmission * (1.0 - self.metalness));
+        let Some(metal) = &self.metal else {
+            return self.dielectric(cos);
+        };
+        let metallic = self.metal_reflectance(metal, self.cos_above(cos)) * self.metalness;
+        if self.metalness >= 1.0 {
+            return Split { reflected: metallic, crossing: Rgb::BLACK };
         }
-        if self.metalness > 0.0 {
-            reflected = reflected + self.metal_reflectance(cos_above) * self.metalness;
+        let other = self.dielectric(cos);
+        let share = 1.0 - self.metalness;
+        Split { reflected: metallic + other.reflected * share, crossing: other.crossing * share }
+    }
+
+    /// The same of the dielectric part alone.
+    #[inline]
+    pub(super) fn dielectric(&self, cos: f32) -> Split {
+        let face = self.face(self.cos_above(cos));
+        if self.transmission <= 0.0 {
+            return Split { reflected: face * self.specular_color, crossing: Rgb::BLACK };
         }
-        Split { reflected, crossing }
+        let clear = self.clear(face, cos);
+        let mixed = face * (1.0 - self.transmission) + clear.reflected * self.transmission;
+        Split {
+            reflected: mixed * self.specular_color,
+            crossing: clear.crossing * self.tint * self.transmission,
+        }
     }
 
     /// What the dielectric's outer face reflects, before its colour.
     #[inline]
     pub(super) fn face(&self, cos_above: f32) -> Rgb {
-        let bare = Rgb::splat(dielectric(cos_above, self.eta_fresnel));
+        let bare = Rgb::splat(self.bare_face(cos_above));
         match &self.film {
             None => bare,
             Some(on) => {
@@ -125,6 +142,12 @@ impl Interface {
                 bare.lerp(on.film.reflectance(cos_above, &below), on.weight)
             }
         }
+    }
+
+    /// The same without a film.
+    #[inline]
+    pub(super) fn bare_face(&self, cos_above: f32) -> f32 {
+        dielectric(cos_above, self.eta_fresnel)
     }
 
     /// What the clear part does, given what its outer face reflects.
@@ -142,23 +165,23 @@ impl Interface {
     }
 
     #[inline]
-    fn metal_reflectance(&self, cos_above: f32) -> Rgb {
-        let bare = self.metal.reflectance(cos_above);
-        let metal = match &self.film {
+    fn metal_reflectance(&self, metal: &Metal, cos_above: f32) -> Rgb {
+        let bare = metal.reflectance(cos_above);
+        let seen = match &self.film {
             None => bare,
-            Some(on) => bare.lerp(on.film.reflectance(cos_above, &self.metal.below()), on.weight),
+            Some(on) => bare.lerp(on.film.reflectance(cos_above, &metal.below()), on.weight),
         };
-        metal * self.specular_weight
+        seen * self.specular_weight
     }
 
     /// The mean of what the metal reflects of even light.
     pub(super) fn metal_average(&self) -> Rgb {
-        self.metal.average() * self.specular_weight
+        self.metal.as_ref().map_or(Rgb::BLACK, Metal::average) * self.specular_weight
     }
 
     /// The cosine in what is above the base, by Snell's law.
     #[inline]
-    fn cos_above(&self, cos: f32) -> f32 {
+    pub(super) fn cos_above(&self, cos: f32) -> f32 {
         if self.above == 1.0 {
             return cos;
         }

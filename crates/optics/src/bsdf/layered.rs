@@ -3,12 +3,13 @@
 //! they mirror and bend, and two matte ones, above (the diffuse ground, and light that bounced between facets) and below
 //! (bounced light that came through).
 
+use super::bounced::Bounced;
 use super::coat::{self, Coat};
 use super::dielectric::Smooth;
-use super::diffuse::{Diffuse, f_cos};
+use super::diffuse::f_cos;
+use super::ground::Ground;
 use super::interface::{Interface, Split};
-use super::{BsdfSample, Event, Surface, mean, recip, rest};
-use crate::energy::{self, Lookup};
+use super::{BsdfSample, Event, Surface, mean};
 use crate::microfacet::Ggx;
 use crate::refraction::refract;
 use crate::sampling::{cosine_hemisphere, cosine_pdf};
@@ -42,166 +43,6 @@ enum Lobe {
 
 const LOBES: [Lobe; 5] = [Lobe::Smooth, Lobe::Coat, Lobe::Facets, Lobe::Above, Lobe::Below];
 
-/// The diffuse ground below the base's surface, which gets what that does not reflect:
-///
-///   f = ρ/π·(1 − E(μo))(1 − E(μi))/(1 − Ē)
-///
-/// (Kelemen and Szirmay-Kalos, "A Microfacet Based Coupled Specular-Matte BRDF Model", Eurographics 2001).
-#[derive(Clone, Copy, Debug)]
-struct Ground {
-    diffuse: Diffuse,
-    /// Its share, (1 − E(μo))/(1 − Ē).
-    front: Rgb,
-    gloss: Gloss,
-}
-
-/// What the surface above a ground reflects in all.
-#[derive(Clone, Copy, Debug)]
-enum Gloss {
-    Smooth,
-    Rough(Lookup),
-}
-
-/// Light that bounced between facets, which one bounce loses: π·f = c·M(μo)·M(μi)/M̄ with M = 1 − E.
-#[derive(Clone, Copy, Debug, Default)]
-struct Bounced {
-    /// Of metal and thin walls: what stays above and what goes below, c·M(μo)/M̄.
-    mirrors: Option<(Lookup, Rgb, Rgb)>,
-    /// Of clear glass, what stays above.
-    above: Option<(Lookup, Rgb)>,
-    /// Of clear glass, what goes below, for radiance; M is that of the other side.
-    below: Option<(Lookup, Rgb)>,
-}
-
-impl Bounced {
-    fn new(surface: &Surface, interface: &Interface, facets: &Ggx, cos_o: f32) -> Self {
-        let mut bounced = Self::default();
-        let clear = surface.clear_share();
-        let (mut stays, mut goes) = (Rgb::BLACK, Rgb::BLACK);
-        let mirrors = energy::mirrors(facets.alpha());
-        if surface.metalness > 0.0 {
-            stays = energy::bounced_color(interface.metal_average(), mirrors.average()) * surface.metalness;
-        }
-        if clear > 0.0 && interface.is_thin_walled() {
-            // At this angle a wall does what it does on average.
-            let typical = interface.split(0.55);
-            let dielectric = 1.0 - surface.metalness;
-            goes = typical.crossing;
-            stays = stays + rest(typical.crossing * (1.0 / clear)) * (clear * dielectric.min(1.0));
-        }
-        if stays != Rgb::BLACK || goes != Rgb::BLACK {
-            let front = (1.0 - mirrors.at(cos_o)) / (1.0 - mirrors.average()).max(1e-6);
-            bounced.mirrors = Some((mirrors, stays * front, goes * front));
-        }
-        if clear > 0.0 && !interface.is_thin_walled() {
-            let eta = interface.eta;
-            let (here, there) =
-                (energy::glass(facets.alpha(), eta), energy::glass(facets.alpha(), 1.0 / eta));
-            let (lost, lost_there) = (1.0 - here.average(), 1.0 - there.average());
-            let sent = energy::sent_on(eta, lost, lost_there);
-            let front = clear * (1.0 - here.at(cos_o));
-            bounced.above = Some((here, surface.specular_color * ((1.0 - sent) * front / lost.max(1e-6))));
-            let radiance = sent * front / (eta * eta * lost_there.max(1e-6));
-            bounced.below = Some((there, surface.transmission_tint * radiance));
-        }
-        bounced
-    }
-
-    /// π·f of what stays above.
-    #[inline]
-    fn above(&self, cos_i: f32) -> Rgb {
-        let mut sum = Rgb::BLACK;
-        if let Some((lookup, stays, _)) = &self.mirrors {
-            sum = *stays * (1.0 - lookup.at(cos_i));
-        }
-        if let Some((lookup, stays)) = &self.above {
-            sum += *stays * (1.0 - lookup.at(cos_i));
-        }
-        sum
-    }
-
-    /// π·f of what goes below.
-    #[inline]
-    fn below(&self, cos_i: f32) -> Rgb {
-        let mut sum = Rgb::BLACK;
-        if let Some((lookup, _, goes)) = &self.mirrors {
-            sum = *goes * (1.0 - lookup.at(cos_i));
-        }
-        if let Some((lookup, goes)) = &self.below {
-            sum += *goes * (1.0 - lookup.at(cos_i));
-        }
-        sum
-    }
-
-    /// All that stays above and all that goes below, as radiance.
-    fn albedos(&self) -> (Rgb, Rgb) {
-        let (mut above, mut below) = (Rgb::BLACK, Rgb::BLACK);
-        if let Some((lookup, stays, goes)) = &self.mirrors {
-            let lost = 1.0 - lookup.average();
-            (above, below) = (*stays * lost, *goes * lost);
-        }
-        if let Some((lookup, stays)) = &self.above {
-            above += *stays * (1.0 - lookup.average());
-        }
-        if let Some((lookup, goes)) = &self.below {
-            below += *goes * (1.0 - lookup.average());
-        }
-        (above, below)
-    }
-}
-
-impl Ground {
-    fn new(surface: &Surface, interface: &Interface, facets: Option<&Ggx>, cos_o: f32) -> Option<Self> {
-        let share = surface.diffuse_share();
-        if share <= 0.0 || surface.base_color == Rgb::BLACK {
-            return None;
-        }
-        let eta = interface.eta_fresnel;
-        // A film reflects in colours; its light is shared out as if its surface were smooth.
-        let gloss = match facets {
-            Some(facets) if !interface.has_film() => Gloss::Rough(energy::glossy(facets.alpha(), eta)),
-            _ => Gloss::Smooth,
-        };
-        let average = match &gloss {
-            Gloss::Rough(lookup) => Rgb::splat(lookup.average()),
-            Gloss::Smooth if interface.has_film() => film_average(interface),
-            Gloss::Smooth => Rgb::splat(energy::fresnel_average(eta)),
-        };
-        let diffuse = Diffuse::new(surface.base_color, surface.diffuse_roughness, cos_o);
-        let front = gloss.passes(interface, cos_o) * recip(rest(average)) * share;
-        Some(Self { diffuse, front, gloss })
-    }
-
-    /// π·f.
-    #[inline]
-    fn pi_f(&self, interface: &Interface, wo: Vec3, wi: Vec3) -> Rgb {
-        self.diffuse.pi_f(wo, wi) * self.front * self.gloss.passes(interface, wi.z)
-    }
-}
-
-impl Gloss {
-    /// What the surface above the ground does not reflect.
-    #[inline]
-    fn passes(&self, interface: &Interface, cos: f32) -> Rgb {
-        match self {
-            Self::Rough(lookup) => Rgb::splat(1.0 - lookup.at(cos)),
-            Self::Smooth => rest(interface.face(cos)),
-        }
-    }
-}
-
-/// 2∫F(μ)μ dμ of a film, by Gauss and Legendre's five points in μ².
-fn film_average(interface: &Interface) -> Rgb {
-    const POINTS: [(f32, f32); 5] = [
-        (0.046_910_08, 0.118_463_44),
-        (0.230_765_34, 0.239_314_34),
-        (0.5, 0.284_444_45),
-        (0.769_234_7, 0.239_314_34),
-        (0.953_089_9, 0.118_463_44),
-    ];
-    POINTS.iter().fold(Rgb::BLACK, |sum, (square, weight)| sum + interface.face(square.sqrt()) * *weight)
-}
-
 impl Layered {
     /// What crosses without being bent or scattered.
     pub(super) fn passed_straight(&self) -> Rgb {
@@ -212,10 +53,9 @@ impl Layered {
         let facets = surface.facets();
         let base = interface.split(cos_o);
         let ground = Ground::new(surface, &interface, facets.as_ref(), cos_o);
-        let ground_albedo = ground.as_ref().map_or(Rgb::BLACK, |g| {
-            g.diffuse.color() * g.gloss.passes(&interface, cos_o) * surface.diffuse_share()
-        });
-        let coat = Coat::new(surface, ground_albedo + base.reflected, cos_o);
+        let ground_albedo = ground.as_ref().map_or(Rgb::BLACK, |g| g.albedo);
+        // Light that is caught below the coat is lost only to what the base absorbs.
+        let coat = Coat::new(surface, ground_albedo + base.reflected + base.crossing, cos_o);
         let smooth = match (&facets, &coat) {
             (None, Some(coat)) => Some(coat.over_smooth(base)),
             (None, None) if surface.coat_weight > 0.0 => Some(coat::beyond(surface, &interface, base, cos_o)),
@@ -227,18 +67,19 @@ impl Layered {
         let pass = coat.as_ref().map_or(1.0, |c| 1.0 - c.reflects());
         let (above, below) = bounced.albedos();
         let clear_below = if interface.is_thin_walled() { 1.0 } else { interface.eta * interface.eta };
-        let faced = match (&facets, &ground) {
+        let faced = match (&facets, ground.as_ref().and_then(|g| g.glossed)) {
             (None, _) => Rgb::BLACK,
             // Rough plastic mirrors less along its surface than a facet does.
-            (Some(_), Some(Ground { gloss: Gloss::Rough(lookup), .. })) if surface.metalness <= 0.0 => {
-                surface.specular_color * lookup.at(cos_o) + base.crossing
+            (Some(_), Some(glossed)) if surface.metalness <= 0.0 => {
+                surface.specular_color * glossed + base.crossing
             }
             (Some(_), _) => base.reflected + base.crossing,
         };
         let weights = [
             smooth.map_or(Rgb::BLACK, |s| s.reflected + s.crossing),
             Rgb::splat(coat.as_ref().map_or(0.0, Coat::rough_albedo)),
-            faced * pass,
+            // Black facets still shine along the surface: they are never left out.
+            faced * pass + Rgb::splat(if facets.is_some() { 0.01 } else { 0.0 }),
             (ground_albedo + above) * pass,
             below * (clear_below * pass),
         ];
@@ -295,9 +136,8 @@ impl Layered {
         let mut last = None;
         for (lobe, chance) in LOBES.into_iter().zip(self.chances) {
             if chance > 0.0 {
-                let inside = (u - below) / chance;
-                if inside < 1.0 {
-                    return Some((lobe, chance, inside.max(0.0)));
+                if u < below + chance {
+                    return Some((lobe, chance, ((u - below) / chance).clamp(0.0, ALMOST_ONE)));
                 }
                 // Rounding can leave a little beyond the last.
                 last = Some((lobe, chance, ALMOST_ONE));
@@ -314,7 +154,7 @@ impl Layered {
         if cos <= 0.0 {
             return None;
         }
-        if u_lobe < chance_mirrored(&self.interface.split(cos.min(1.0))) {
+        if !self.interface.is_clear() || u_lobe < chance_mirrored(&self.interface.split(cos.min(1.0))) {
             return mirrored(wo, m);
         }
         if self.interface.is_thin_walled() {

@@ -12,10 +12,12 @@
 //! From outside in, a surface is a coat over a film over a base, which is a mix of metal, clear dielectric and dielectric
 //! over a diffuse ground (OpenPBR 1.1, Academy Software Foundation, 2024).
 
+mod bounced;
 mod coat;
 mod conductor;
 mod dielectric;
 mod diffuse;
+mod ground;
 mod interface;
 mod layered;
 mod surface;
@@ -55,6 +57,7 @@ pub struct BsdfSample {
 
 /// How one surface scatters at one hit.
 #[derive(Clone, Copy, Debug)]
+#[allow(clippy::large_enum_variant, reason = "lives on the stack for one hit; a box would allocate")]
 pub enum Bsdf {
     /// Plainly matte.
     Lambert(Lambert),
@@ -72,6 +75,9 @@ impl Bsdf {
             return Self::Lambert(Lambert { albedo: surface.base_color });
         }
         let cos_wo = cos_wo.clamp(MIN_COS, 1.0);
+        if surface.is_plain_glass() {
+            return Self::Smooth(Smooth::plain_glass(surface.eta, cos_wo));
+        }
         let interface = Interface::new(surface);
         if surface.is_smooth() {
             return Self::Smooth(Smooth::new(surface, &interface, cos_wo));

@@ -85,6 +85,20 @@ impl Surface {
             && self.diffuse_roughness <= 0.0
     }
 
+    /// Nothing but smooth, solid glass without a colour at its surface.
+    #[inline]
+    pub(super) fn is_plain_glass(&self) -> bool {
+        self.transmission >= 1.0
+            && self.metalness <= 0.0
+            && self.roughness * self.roughness < Ggx::SMOOTH
+            && !self.thin_walled
+            && self.coat_weight <= 0.0
+            && self.thin_film_weight <= 0.0
+            && self.specular_weight == 1.0
+            && self.specular_color == Rgb::WHITE
+            && self.transmission_tint == Rgb::WHITE
+    }
+
     /// Every part is delta.
     pub(super) fn is_smooth(&self) -> bool {
         self.diffuse_share() <= 0.0
@@ -105,6 +119,11 @@ impl Surface {
     /// The base's facets; None where it is smooth, or where its roughness cannot show because nothing bends.
     pub(super) fn facets(&self) -> Option<Ggx> {
         let is_matched = !self.thin_walled && self.clear_share() > 0.0 && (self.eta - 1.0).abs() < 1e-3;
-        if is_matched { None } else { Ggx::from_roughness(self.roughness) }
+        // A surface that reflects nothing over an opaque ground is not there.
+        let is_bare = self.specular_weight <= 0.0
+            && self.metalness <= 0.0
+            && self.transmission <= 0.0
+            && self.thin_film_weight <= 0.0;
+        if is_matched || is_bare { None } else { Ggx::from_roughness(self.roughness) }
     }
 }

@@ -1,1 +1,0 @@
-//! Scattering held against what must be true of any surface.
