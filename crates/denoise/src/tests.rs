@@ -154,7 +154,7 @@ fn noise_goes_down_on_a_ramp_and_the_light_stays() {
 #[test]
 fn edges_that_the_features_show_survive() {
     let Some(denoiser) = library() else { return };
-    let stripe = |x: f32| (x * SIZE[0] as f32 / 2.0) as u32 % 2 == 0;
+    let stripe = |x: f32| ((x * SIZE[0] as f32 / 2.0) as u32).is_multiple_of(2);
     let albedo = paint(|x, _| if stripe(x) { Rgb::splat(0.7) } else { Rgb::splat(0.5) });
     let normal = paint(|_, y| if y < 0.5 { Rgb::new(0.0, 0.0, 1.0) } else { Rgb::new(0.0, 1.0, 0.0) });
     let truth = Image {

@@ -117,6 +117,14 @@ pub enum FormatError {
         /// The decoder's reason.
         reason: String,
     },
+    /// The file is not one with the layers of a picture, or lacks what is needed.
+    #[error("{reason}: {}", path.display())]
+    Layers {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong.
+        reason: &'static str,
+    },
     /// A picture does not fit into its format.
     #[error("the picture does not fit into a {format} file: {reason}")]
     Encode {
@@ -180,6 +188,7 @@ impl FormatError {
             Self::PictureCutOff { .. } => "copy or download the picture again".into(),
             Self::PictureTooLarge { .. } => "make the picture smaller".into(),
             Self::PictureDamaged { .. } => "open the picture in another program and save it again".into(),
+            Self::Layers { .. } => "save the picture as OpenEXR, in colour".into(),
             Self::Encode { .. } => "choose another format or a smaller picture".into(),
             Self::MissingFolder { .. } => "create the folder first, or choose another".into(),
             Self::DiscFull { .. } => "make space or choose another disc".into(),

@@ -12,7 +12,8 @@ pub use assets::load_assets;
 pub use atomic::write_atomically;
 pub use error::FormatError;
 pub use image_file::{
-    BitDepth, IMAGE_FORMATS, ImageFormat, WriteOptions, encode, image_format, read_picture, write_image,
+    BitDepth, ExrLayers, IMAGE_FORMATS, ImageFormat, WriteOptions, encode, image_format, read_exr_layers,
+    read_picture, write_image,
 };
 pub use mesh_file::{MESH_FORMATS, read_mesh};
 pub use scene_file::{Finding, SceneFile, SceneFileError};

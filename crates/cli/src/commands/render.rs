@@ -1,5 +1,6 @@
 //! `vitrine render`: a scene file to a picture.
 
+use crate::denoise::DenoiseFlags;
 use crate::events::Events;
 use crate::failure::{Exit, Failure};
 use crate::flags::{PictureFlags, SettingFlags, ThreadFlag};
@@ -11,9 +12,10 @@ use crate::{console, interrupt, output, report, stopwatch, values};
 use clap::Args;
 use serde_json::json;
 use std::path::{Path, PathBuf};
+use vitrine::denoise::{DenoiseError, Denoiser};
 use vitrine::film::Film;
 use vitrine::render::accel::simd::Instructions;
-use vitrine::{Project, Region, RenderOptions, Rendered, WriteOptions, formats};
+use vitrine::{Image, Project, Region, RenderOptions, Rendered, WriteOptions, formats};
 
 /// Make the picture of a scene
 ///
@@ -25,6 +27,7 @@ use vitrine::{Project, Region, RenderOptions, Rendered, WriteOptions, formats};
     vitrine render ball.vitrine.toml -o ball.jpg --size 1920x1080 --samples 16\n  \
     vitrine render ball.vitrine.toml --set object.ball.material.transparency=0.4\n  \
     vitrine render ball.vitrine.toml -o part.png --region 100,50,400,300 --threads 1\n  \
+    vitrine render ball.vitrine.toml --denoise\n  \
     vitrine render ball.vitrine.toml --json | tail -1")]
 pub struct Render {
     /// The scene file, NAME.vitrine.toml
@@ -54,13 +57,24 @@ pub struct Render {
     /// Report to programs: lines of JSON on stdout
     ///
     /// Each line has an "event": start, warning, progress, and last done or error. The line of done has output, complete,
-    /// width, height, threads, samples, rays, render_seconds and cpu_seconds; the times are those of rendering alone.
+    /// width, height, threads, samples, rays, render_seconds, cpu_seconds (the times are those of rendering alone) and denoised: by
+    /// what, or null. When the picture is saved and could not be denoised, an error follows.
     #[arg(long)]
     pub json: bool,
 
     /// No progress bar, no warnings, no last line; errors are still shown
     #[arg(short, long)]
     quiet: bool,
+
+    /// Take out the noise that is left when the picture is done
+    ///
+    /// Open Image Denoise 2 does it, which is no part of Vitrine and must be there. Where it is not, the picture is saved with
+    /// its noise, and the exit code is 1. The same bytes on every machine are promised only without this.
+    #[arg(long)]
+    denoise: bool,
+
+    #[command(flatten)]
+    denoising: DenoiseFlags,
 
     #[command(flatten)]
     settings: SettingFlags,
@@ -87,7 +101,13 @@ impl Render {
 
         let mut events = Events::new(self.json);
         self.send_start(&events, &project, &path);
-        self.show_warnings(&events, &project);
+        let denoiser = self.denoise.then(|| self.denoising.find(self.threads.threads));
+        let mut warnings = Report::warnings_of(&project);
+        if let Some(Err(_)) = &denoiser {
+            warnings
+                .push(Report::warning("Open Image Denoise 2 was not found: the picture will keep its noise"));
+        }
+        self.show_warnings(&events, &warnings);
 
         let bar = Bar::new(self.quiet || self.json);
         let mut compiled = picture::compile(&project)?;
@@ -100,27 +120,44 @@ impl Render {
             bar.show(progress);
             events.progress(progress);
         })?;
+        let (mut done, film) = Done::of(made);
+        let mut image = film.into_image();
+        // Who presses Ctrl-C waits for nothing more.
+        if let Some(denoiser) = denoiser.filter(|_| done.is_complete) {
+            bar.say("Denoising…");
+            done.denoised = Some(self.clean(denoiser, &mut image));
+        }
         drop(bar);
-
-        let (done, film) = Done::of(made);
         let is_saved = done.samples > 0;
         if is_saved {
-            save(&path, film, &done, write_options)?;
+            save(&path, &image, &done, write_options)?;
         }
         self.send_done(&events, &project, is_saved.then_some(&path), &done);
         self.say_done(is_saved.then_some(&path), &done)?;
-        Ok(if done.is_complete { Exit::Done } else { Exit::Interrupted })
+        match done.denoised {
+            Some(Err(error)) => Err(kept_its_noise(&error)),
+            _ if done.is_complete => Ok(Exit::Done),
+            _ => Ok(Exit::Interrupted),
+        }
     }
 
-    fn show_warnings(&self, events: &Events, project: &Project) {
-        let warnings = Report::warnings_of(project);
-        for warning in &warnings {
+    /// Takes the noise out of the picture, and says by what.
+    fn clean(
+        &self,
+        denoiser: Result<Denoiser, DenoiseError>,
+        image: &mut Image,
+    ) -> Result<String, DenoiseError> {
+        self.denoising.clean(&denoiser?, image, [None, None])
+    }
+
+    fn show_warnings(&self, events: &Events, warnings: &[Report]) {
+        for warning in warnings {
             let mut event = warning.to_json();
             event["event"] = "warning".into();
             events.send(&event);
         }
         if !self.quiet {
-            report::show(&warnings);
+            report::show(warnings);
         }
     }
 
@@ -165,6 +202,7 @@ impl Render {
             "render_seconds": done.elapsed.wall.as_secs_f64(),
             "cpu_seconds": done.elapsed.cpu.as_secs_f64(),
             "scene_hash": project.hash().to_string(),
+            "denoised": done.denoised_by(),
         }));
     }
 
@@ -180,8 +218,9 @@ impl Render {
         if self.quiet || self.json {
             return Ok(());
         }
+        let denoised = if done.denoised_by().is_some() { ", denoised" } else { "" };
         console::print(format!(
-            "{}: {} × {} pixels in {} ({} rays)\n",
+            "{}: {} × {} pixels in {} ({} rays){denoised}\n",
             path.display(),
             done.region.width,
             done.region.height,
@@ -198,20 +237,36 @@ struct Done {
     rays: u64,
     is_complete: bool,
     elapsed: Elapsed,
+    /// By what the picture was denoised, or why not. None: nobody asked for it.
+    denoised: Option<Result<String, DenoiseError>>,
 }
 
 impl Done {
     /// Takes the film out of what was made.
     fn of(made: Made) -> (Self, Film) {
         let Made { rendered: Rendered { film, is_complete, rays }, elapsed } = made;
-        (Self { region: film.region(), samples: film.samples(), rays, is_complete, elapsed }, film)
+        let (region, samples) = (film.region(), film.samples());
+        (Self { region, samples, rays, is_complete, elapsed, denoised: None }, film)
+    }
+
+    fn denoised_by(&self) -> Option<&String> {
+        self.denoised.as_ref()?.as_ref().ok()
     }
 }
 
-fn save(path: &Path, film: Film, done: &Done, mut options: WriteOptions) -> Result<(), Failure> {
+/// The end of a render whose picture is saved and was not denoised.
+fn kept_its_noise(error: &DenoiseError) -> Failure {
+    let report = Report::error(format!("the picture is saved with its noise: {error}"));
+    Failure::new(Exit::Failed, report.with_help(error.help()))
+}
+
+fn save(path: &Path, image: &Image, done: &Done, mut options: WriteOptions) -> Result<(), Failure> {
     if !done.is_complete {
         options.metadata.push(("vitrine:complete".into(), "false".into()));
     }
-    formats::write_image(path, &film.into_image(), &options)?;
+    if let Some(by) = done.denoised_by() {
+        options.metadata.push((values::DENOISED.into(), by.clone()));
+    }
+    formats::write_image(path, image, &options)?;
     Ok(())
 }

@@ -2,11 +2,13 @@
 //! new format to write is a file beside these and a line in the register below.
 
 mod exr;
+mod exr_layers;
 mod hdr;
 mod jpeg;
 mod picture;
 mod png;
 
+pub use exr_layers::{ExrLayers, parse_exr_layers, read_exr_layers};
 pub use picture::{parse_picture, read_picture};
 
 use crate::{FormatError, write_atomically};

@@ -1,0 +1,82 @@
+//! `vitrine denoise`: a picture in linear light to the same without noise.
+
+use crate::console;
+use crate::denoise::DenoiseFlags;
+use crate::failure::{Exit, Failure};
+use crate::flags::{PictureFlags, ThreadFlag};
+use crate::report::{self, Report};
+use crate::stopwatch::{self, Stopwatch};
+use crate::{output, values};
+use clap::Args;
+use std::path::{Path, PathBuf};
+use vitrine::formats::{self, ExrLayers};
+use vitrine::{Error, WriteOptions};
+
+/// Take the noise out of an OpenEXR picture
+///
+/// The picture has linear light in R, G and B. Edges stay sharper when it also has the colours and the normals of what each
+/// pixel shows first, as albedo.R, albedo.G, albedo.B and normal.X, normal.Y, normal.Z. Open Image Denoise 2 does the work; it
+/// is no part of Vitrine and must be there.
+#[derive(Args, Debug)]
+#[command(after_help = "Examples:\n  \
+    vitrine denoise ball.exr\n  \
+    vitrine denoise ball.exr -o clean.exr --denoise-quality balanced\n  \
+    vitrine denoise ball.exr -o clean.png --oidn /opt/oidn/lib")]
+pub struct Denoise {
+    /// The picture, NAME.exr
+    picture: PathBuf,
+
+    /// Where the result goes; without it, beside the picture as NAME-denoised.png
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+
+    #[command(flatten)]
+    threads: ThreadFlag,
+
+    #[command(flatten)]
+    saving: PictureFlags,
+
+    /// No last line; errors are still shown
+    #[arg(short, long)]
+    quiet: bool,
+
+    #[command(flatten)]
+    denoise: DenoiseFlags,
+}
+
+impl Denoise {
+    /// Runs the command.
+    pub fn run(self) -> Result<Exit, Failure> {
+        let path = self.output.clone().unwrap_or_else(|| beside(&self.picture));
+        output::check_picture(&path)?;
+        let options = self.saving.options(&path)?;
+        let mut layers = formats::read_exr_layers(&self.picture).map_err(Error::from)?;
+        if layers.albedo.is_none() && layers.normal.take().is_some() && !self.quiet {
+            report::show(&[Report::warning("the normals are not used, for there is no albedo")]);
+        }
+        let denoiser = self.denoise.find(self.threads.threads)?;
+        let watch = Stopwatch::start();
+        let ExrLayers { mut light, albedo, normal, mut metadata } = layers;
+        let by = self.denoise.clean(&denoiser, &mut light, [albedo.as_ref(), normal.as_ref()])?;
+        let elapsed = watch.elapsed();
+        metadata.retain(|(key, _)| key != values::DENOISED);
+        metadata.push((values::DENOISED.into(), by.clone()));
+        formats::write_image(&path, &light, &WriteOptions { metadata, ..options }).map_err(Error::from)?;
+        if !self.quiet {
+            let with = if albedo.is_some() { ", with albedo" } else { "" };
+            let and = if normal.is_some() { " and normals" } else { "" };
+            console::print(format!(
+                "{}: denoised in {} by {by}{with}{and}\n",
+                path.display(),
+                stopwatch::words(elapsed.wall)
+            ))?;
+        }
+        Ok(Exit::Done)
+    }
+}
+
+/// The result's file when nobody says.
+fn beside(picture: &Path) -> PathBuf {
+    let name = picture.file_stem().unwrap_or_default().to_string_lossy();
+    picture.with_file_name(format!("{name}-denoised.png"))
+}
