@@ -16,7 +16,7 @@ pub struct Attempt {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum DenoiseError {
     /// No library was found that can be used.
-    #[error("Open Image Denoise 2 was not found; tried were {}", list(tried))]
+    #[error("Open Image Denoise 2 was not found; tried were{}", list(tried))]
     NotFound {
         /// All files that were tried, in order.
         tried: Vec<Attempt>,
@@ -75,10 +75,11 @@ impl DenoiseError {
     }
 }
 
+/// A line for each, indented.
 fn list(tried: &[Attempt]) -> String {
     let one = |a: &Attempt| match a.reason.as_str() {
-        reason if reason.contains(&*a.file.to_string_lossy()) => reason.to_owned(),
-        reason => format!("{}: {reason}", a.file.display()),
+        reason if reason.contains(&*a.file.to_string_lossy()) => format!("\n  {reason}"),
+        reason => format!("\n  {}: {reason}", a.file.display()),
     };
-    tried.iter().map(one).collect::<Vec<_>>().join("; ")
+    tried.iter().map(one).collect()
 }
