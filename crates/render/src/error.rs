@@ -18,6 +18,12 @@ pub enum CompileError {
         /// The texture, or the model's material.
         texture: String,
     },
+    /// A panorama that a light needs is not among the assets.
+    #[error("the panorama of the light `{light}` has not been loaded")]
+    MissingPanorama {
+        /// The light.
+        light: String,
+    },
     /// A name that the scene does not have.
     #[error("`{owner}` refers to `{name}`, which the scene does not have")]
     MissingName {
@@ -78,7 +84,10 @@ impl CompileError {
     #[must_use]
     pub const fn help(&self) -> &'static str {
         match self {
-            Self::MissingModel { .. } | Self::MissingPicture { .. } | Self::MissingName { .. } => "",
+            Self::MissingModel { .. }
+            | Self::MissingPicture { .. }
+            | Self::MissingPanorama { .. }
+            | Self::MissingName { .. } => "",
             Self::OutOfRange { .. } => "lengths are in metres: make it smaller or bring it nearer",
             Self::TooThin { .. } => "give it some thickness, or a scale that is not so close to 0",
             Self::BadModel { .. } => "make the model anew; those read from files have no such faults",

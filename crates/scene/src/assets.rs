@@ -14,6 +14,8 @@ pub struct Assets {
     pub meshes: BTreeMap<PathBuf, Arc<TriangleMesh>>,
     /// Pictures for textures, those of models' own materials included.
     pub pictures: BTreeMap<PathBuf, Arc<Picture>>,
+    /// Panoramas of lights.
+    pub maps: BTreeMap<PathBuf, Arc<RadianceMap>>,
 }
 
 /// A model: triangles over shared vertices.
@@ -90,5 +92,35 @@ impl Picture {
         let linear = LINEAR.get_or_init(|| std::array::from_fn(|v| linear_from_srgb(v as f32 / 255.0)));
         let [r, g, b] = self.texels[y as usize * self.size[0] as usize + x as usize];
         Rgb::new(linear[usize::from(r)], linear[usize::from(g)], linear[usize::from(b)])
+    }
+}
+
+/// A panorama of radiance, latitude by longitude: a texel for each direction.
+///
+/// The top row is towards +Y, the middle column towards −Z, the column at three quarters of the width towards +X: it is
+/// what a camera that is not turned would see around it, without being mirrored.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RadianceMap {
+    /// Width and height, neither 0.
+    pub size: [u32; 2],
+    /// `size[0] · size[1]` radiances, row by row from the top: linear, finite, not negative.
+    pub pixels: Vec<Rgb>,
+}
+
+impl RadianceMap {
+    /// The mean radiance over all directions.
+    #[must_use]
+    pub fn mean(&self) -> Rgb {
+        let [width, height] = self.size;
+        let (mut sum, mut whole) = ([0.0_f64; 3], 0.0);
+        for (y, row) in self.pixels.chunks_exact(width as usize).enumerate() {
+            // The band of a row is as long as the sine of its angle from +Y. f64: millions of texels are added.
+            let band = libm::sin(std::f64::consts::PI * (y as f64 + 0.5) / f64::from(height));
+            for (sum, channel) in sum.iter_mut().zip(0..3) {
+                *sum += band * row.iter().map(|texel| f64::from(texel.to_array()[channel])).sum::<f64>();
+            }
+            whole += band * f64::from(width);
+        }
+        Rgb::from(sum.map(|s| (s / whole) as f32))
     }
 }

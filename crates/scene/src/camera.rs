@@ -14,6 +14,12 @@ crate::params! {
         look_at: Option<Vec3> = None => ParamKind::Vector(Range::ANY), Metres;
         /// The angle that the picture's height spans.
         view_angle_deg: f32 = 50.0 => ParamKind::Number(Range::from_to(1.0, 170.0)), Degrees;
+        /// How far away things are sharp, if f_stop is stated. Where nothing is stated, as far as look_at is, else 2 m.
+        focus_distance: Option<f32> = None => ParamKind::Number(Range::POSITIVE), Metres;
+        /// The aperture's number, as on a camera for 35 mm film: 1.4 blurs what is not in focus, 16 hardly. Where nothing is stated, everything is sharp. Photoreal only.
+        f_stop: Option<f32> = None => ParamKind::Number(Range::from_to(0.5, 128.0)), None;
+        /// How many blades form the aperture, the corners of blurred points of light: 0 is round, else 3 or more.
+        blades: u32 = 0 => ParamKind::Integer { min: 0, max: 16 }, None;
     }
 }
 
@@ -53,6 +59,13 @@ impl Camera {
                 key: "look_at",
                 message: "the camera has both `turn_deg` and `look_at`",
                 help: "keep the one that you mean and remove the other",
+            });
+        }
+        if matches!(self.blades, 1 | 2) {
+            return Some(Fault {
+                key: "blades",
+                message: "an aperture of one or two blades has no opening",
+                help: "0 is round; otherwise 3 blades or more",
             });
         }
         let target = self.look_at?;

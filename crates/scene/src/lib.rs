@@ -21,12 +21,12 @@ pub mod shapes;
 mod suggest;
 pub mod textures;
 
-pub use assets::{Assets, MeshMaterial, MeshPart, Picture, TriangleMesh};
+pub use assets::{Assets, MeshMaterial, MeshPart, Picture, RadianceMap, TriangleMesh};
 pub use camera::{Camera, Fault};
 pub use check::{Cause, Place, Problem, Severity};
 pub use group::Group;
 pub use lights::{Light, LightSource};
-pub use materials::{ClassicMaterial, Material, PhysicalMaterial};
+pub use materials::{ClassicMaterial, Material, Metal, PhysicalMaterial};
 pub use object::Object;
 pub use params::{
     KindSpec, ListName, ParamError, ParamKind, ParamSpec, ParamValue, Params, Range, Unit, Value,
@@ -34,7 +34,7 @@ pub use params::{
 pub use path::{Owner, PathError, ScenePath};
 pub use placement::GroupPlaces;
 pub use scene::{Item, Scene};
-pub use settings::{Renderer, Settings};
+pub use settings::{Renderer, Settings, View};
 pub use shapes::{Geometry, Shape};
 pub use suggest::closest;
 pub use textures::{Pattern, Texture, TextureSource, Wrap};

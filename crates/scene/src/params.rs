@@ -170,10 +170,16 @@ pub enum Unit {
     Degrees,
     /// Pixels.
     Pixels,
+    /// Millionths of a metre.
+    Micrometres,
+    /// Kelvin.
+    Kelvin,
+    /// Seconds.
+    Seconds,
 }
 
 impl Unit {
-    /// The sign after a value: "m", "°", "px" or nothing.
+    /// The sign after a value: "m", "°", "px", "µm", "K", "s" or nothing.
     #[must_use]
     pub const fn sign(self) -> &'static str {
         match self {
@@ -181,6 +187,9 @@ impl Unit {
             Self::Metres => "m",
             Self::Degrees => "°",
             Self::Pixels => "px",
+            Self::Micrometres => "µm",
+            Self::Kelvin => "K",
+            Self::Seconds => "s",
         }
     }
 }

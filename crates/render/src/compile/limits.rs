@@ -53,6 +53,13 @@ pub fn drawn_in(emission: Emission) -> Emission {
             let share = share(position, radius);
             Emission::Disc { position: position * share, radius: radius * share }
         }
-        Emission::Everywhere | Emission::Direction { .. } => emission,
+        Emission::Sphere { position, radius } => {
+            let share = share(position, radius);
+            Emission::Sphere { position: position * share, radius: radius * share }
+        }
+        Emission::Everywhere
+        | Emission::Direction { .. }
+        | Emission::Environment { .. }
+        | Emission::Sky { .. } => emission,
     }
 }

@@ -3,6 +3,7 @@
 
 mod camera;
 mod geometry;
+mod lamps;
 mod limits;
 mod materials;
 mod models;
@@ -32,7 +33,10 @@ pub struct CompiledScene {
     pub(crate) normals: Vec<NormalField>,
     pub(crate) materials: Vec<CompiledMaterial>,
     pub(crate) textures: Vec<CompiledTexture>,
+    /// What shines, as the classic renderer takes it: without `Everywhere`, `Environment`, `Sky` and `Sphere`.
     pub(crate) lights: Vec<CompiledLight>,
+    /// What shines, as it is: each light with its radiance and its place in the scene's list.
+    pub(crate) emissions: Vec<(Emission, Rgb, usize)>,
     /// The sum of all light that is everywhere.
     pub(crate) ambient: Rgb,
     pub(crate) background: Rgb,
@@ -42,7 +46,7 @@ pub struct CompiledScene {
 }
 
 /// A light that casts shadows.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct CompiledLight {
     /// Where the light comes from.
     pub emission: Emission,
@@ -91,14 +95,8 @@ pub fn compile_with(
     let models = Models::new(options.memory, options.earlier.map_or(&[], |earlier| &earlier.primitives));
     let geometry = geometry::collect(scene, assets, &mut table, models)?;
     let transparencies = table.materials.iter().map(|m| m.transparency).collect();
-    let (mut lights, mut ambient) = (Vec::new(), Rgb::BLACK);
-    for light in scene.lights.iter().filter(|l| l.visible && l.intensity > 0.0) {
-        let radiance = limits::dimmed(light.color * light.intensity);
-        match limits::drawn_in(light.source.as_kind().emission()) {
-            Emission::Everywhere => ambient += radiance,
-            emission => lights.push(CompiledLight { emission, radiance }),
-        }
-    }
+    let emissions = lamps::emissions(scene, assets)?;
+    let (lights, ambient) = lamps::classic(&emissions);
     Ok(CompiledScene {
         accel: Accel::new(geometry.collected, transparencies),
         camera: CompiledCamera::new(&scene.camera),
@@ -107,6 +105,7 @@ pub fn compile_with(
         materials: table.materials,
         textures: table.textures,
         lights,
+        emissions,
         ambient: limits::dimmed(ambient),
         background: limits::dimmed(scene.settings.background),
         bounds: geometry.bounds,

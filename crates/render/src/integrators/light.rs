@@ -43,9 +43,9 @@ impl Lamps<'_> {
         let ambient = splat3(s, scene.ambient.to_array());
         let mut sum = scale3(s, &mul3(s, &lit.color, &ambient), lit.weight);
         for (index, light) in scene.lights.iter().enumerate() {
-            let factors = match (light.emission, self.shadows) {
+            let factors = match (&light.emission, self.shadows) {
                 (Emission::Disc { position, radius }, Shadows::Cast) => {
-                    let light = SoftLight { lamps: self, index: index as u32, disc: (position, radius) };
+                    let light = SoftLight { lamps: self, index: index as u32, disc: (*position, *radius) };
                     Some(light.shine(s, lit, pixels, rays))
                 }
                 _ => self.shine(s, light, lit, rays),
@@ -66,13 +66,15 @@ impl Lamps<'_> {
     #[inline(always)]
     fn shine<S: Rays>(&self, s: S, light: &CompiledLight, lit: &Lit<S>, rays: &mut u64) -> Option<[S::F; 2]> {
         let surface = &lit.surface;
-        let (wi, distance) = match light.emission {
-            Emission::Direction { travels } => (splat3(s, (-travels).into()), s.splat(f32::INFINITY)),
-            Emission::Point { position } | Emission::Disc { position, .. } => {
-                towards(s, &sub3(s, &splat3(s, position.into()), &surface.origin))
+        let (wi, distance) = match &light.emission {
+            Emission::Direction { travels } => (splat3(s, (-*travels).into()), s.splat(f32::INFINITY)),
+            Emission::Point { position }
+            | Emission::Disc { position, .. }
+            | Emission::Sphere { position, .. } => {
+                towards(s, &sub3(s, &splat3(s, (*position).into()), &surface.origin))
             }
             // Light from everywhere has no direction; `compile` keeps it apart.
-            Emission::Everywhere => return None,
+            Emission::Everywhere | Emission::Environment { .. } | Emission::Sky { .. } => return None,
         };
         let (seen, scattered, highlight) = surface.phong(s, &wi);
         let seen = s.and(lit.mask, seen);

@@ -38,7 +38,7 @@ impl Workshop {
     /// in between.
     pub fn fill(&mut self, task: &TileTask, cancel: &Cancel) -> Option<(&[Rgb], u64)> {
         let reach = match task.settings.renderer {
-            Renderer::Classic => classic::Reach::Recursive,
+            Renderer::Classic | Renderer::Photoreal => classic::Reach::Recursive,
             Renderer::Cast => classic::Reach::CameraOnly,
         };
         self.classic.fill(task, reach, cancel)

@@ -5,13 +5,15 @@ mod field;
 mod leaving;
 mod look;
 mod other;
+mod spot;
 
 pub use field::NormalField;
 pub use look::Look;
+pub use spot::{Spot, Spots};
 
 use crate::accel::packet::{along3, load3};
 use crate::accel::simd::Simd;
-use crate::accel::{BLOCK, HitBlock, RayBlock};
+use crate::accel::{BLOCK, Column, HitBlock, RayBlock};
 use crate::compile::CompiledScene;
 use field::Fields;
 use other::Arrival;
@@ -46,6 +48,13 @@ impl CompiledScene {
     /// What rays of unit direction hit, in the lanes of the mask, from the lane `start` of a block on.
     #[inline(always)]
     pub(crate) fn seen<S: Simd>(&self, s: S, hit: S::M, at: &HitLanes) -> Seen<S> {
+        let (points, materials) = self.met(s, hit, at);
+        Seen { look: self.look(s, &HitPoints { at, hit, p: points.p }, &materials), points }
+    }
+
+    /// Where they hit it, and the indices of the materials as the bits of floats.
+    #[inline(always)]
+    pub(crate) fn met<S: Simd>(&self, s: S, hit: S::M, at: &HitLanes) -> (Points<S>, Column) {
         let &HitLanes { rays, hits, start } = at;
         let primitives = s.load(&hits.primitive[start..]);
         let (mut fields, mut material) = (Fields::empty(s), s.splat(0.0));
@@ -76,7 +85,7 @@ impl CompiledScene {
         if others != 0 {
             self.replace_others(s, others, &Arrival { at, p, d }, &mut points);
         }
-        Seen { look: self.look(s, &HitPoints { at, hit, p: points.p }, &materials), points }
+        (points, materials)
     }
 }
 

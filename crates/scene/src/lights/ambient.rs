@@ -8,6 +8,7 @@
 //! ```
 
 use super::{Emission, LightKind};
+use crate::Assets;
 
 crate::params! {
     /// Light that reaches every point alike and casts no shadow.
@@ -16,7 +17,7 @@ crate::params! {
 }
 
 impl LightKind for Ambient {
-    fn emission(&self) -> Emission {
-        Emission::Everywhere
+    fn emission(&self, _: &Assets) -> Option<Emission> {
+        Some(Emission::Everywhere)
     }
 }

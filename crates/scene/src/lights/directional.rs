@@ -8,7 +8,7 @@
 //! ```
 
 use super::{Emission, LightKind};
-use crate::ParamKind;
+use crate::{Assets, ParamKind};
 use vitrine_math::Vec3;
 
 crate::params! {
@@ -20,9 +20,9 @@ crate::params! {
 }
 
 impl LightKind for Directional {
-    fn emission(&self) -> Emission {
+    fn emission(&self, _: &Assets) -> Option<Emission> {
         // Scaled first: the square of a very long or short vector would leave the range of numbers.
         let scaled = self.direction / self.direction.abs().max_element();
-        Emission::Direction { travels: scaled.normalize() }
+        Some(Emission::Direction { travels: scaled.normalize() })
     }
 }

@@ -9,7 +9,7 @@
 //! ```
 
 use super::{Emission, LightKind};
-use crate::{ParamKind, Range};
+use crate::{Assets, ParamKind, Range};
 use vitrine_math::Vec3;
 
 crate::params! {
@@ -23,7 +23,7 @@ crate::params! {
 }
 
 impl LightKind for Disc {
-    fn emission(&self) -> Emission {
-        Emission::Disc { position: self.position, radius: self.radius }
+    fn emission(&self, _: &Assets) -> Option<Emission> {
+        Some(Emission::Disc { position: self.position, radius: self.radius })
     }
 }

@@ -8,7 +8,7 @@
 //! ```
 
 use super::{Emission, LightKind};
-use crate::{ParamKind, Range};
+use crate::{Assets, ParamKind, Range};
 use vitrine_math::Vec3;
 
 crate::params! {
@@ -20,7 +20,7 @@ crate::params! {
 }
 
 impl LightKind for Point {
-    fn emission(&self) -> Emission {
-        Emission::Point { position: self.position }
+    fn emission(&self, _: &Assets) -> Option<Emission> {
+        Some(Emission::Point { position: self.position })
     }
 }
