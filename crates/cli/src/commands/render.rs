@@ -15,6 +15,7 @@ use std::path::{Path, PathBuf};
 use vitrine::denoise::{DenoiseError, Denoiser};
 use vitrine::film::Film;
 use vitrine::render::accel::simd::Instructions;
+use vitrine::scene::{Renderer, Settings};
 use vitrine::{Image, Project, Region, RenderOptions, Rendered, WriteOptions, formats};
 
 /// Make the picture of a scene
@@ -66,7 +67,7 @@ pub struct Render {
     #[arg(short, long)]
     quiet: bool,
 
-    /// Take out the noise that is left when the picture is done
+    /// Take out the noise that is left when the picture is done, as settings.denoise asks for it in a scene
     ///
     /// Open Image Denoise 2 does it, which is no part of Vitrine and must be there. Where it is not, the picture is saved with
     /// its noise, and the exit code is 1. The same bytes on every machine are promised only without this.
@@ -101,7 +102,7 @@ impl Render {
 
         let mut events = Events::new(self.json);
         self.send_start(&events, &project, &path);
-        let denoiser = self.denoise.then(|| self.denoising.find(self.threads.threads));
+        let denoiser = self.wants_denoising(&settings).then(|| self.denoising.find(self.threads.threads));
         let mut warnings = Report::warnings_of(&project);
         if let Some(Err(_)) = &denoiser {
             warnings
@@ -139,6 +140,11 @@ impl Render {
             _ if done.is_complete => Ok(Exit::Done),
             _ => Ok(Exit::Interrupted),
         }
+    }
+
+    /// Whether the noise is to be taken out: the flag asks for that with any renderer, a scene for photoreal pictures only.
+    fn wants_denoising(&self, settings: &Settings) -> bool {
+        self.denoise || settings.denoise && settings.renderer == Renderer::Photoreal
     }
 
     /// Takes the noise out of the picture, and says by what.
