@@ -2,8 +2,14 @@
 
 mod film;
 mod image;
+mod layers;
+mod noise;
+mod region;
 pub mod tonemap;
 
-pub use film::{Band, Film, Region, RegionError};
+pub use film::{Band, Film, FilmParts};
 pub use image::Image;
-pub use tonemap::ViewTransform;
+pub use layers::{Features, Keep, Layers, TileSums};
+pub use noise::Noise;
+pub use region::{Region, RegionError};
+pub use tonemap::{Display, ViewTransform};

@@ -1,19 +1,19 @@
-//! Reads every model and picture that a scene names.
+//! Reads every model, picture and panorama that a scene names.
 
-use crate::{FormatError, read_mesh, read_picture};
+use crate::{FormatError, read_mesh, read_panorama, read_picture};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use vitrine_scene::{Assets, MeshMaterial, Picture, Scene};
 
-/// Reads every model and picture that a scene names, each once. `folder` is the scene file's. The warnings are one
+/// Reads every model, picture and panorama that a scene names, each once. `folder` is the scene file's. The warnings are one
 /// sentence each, with the path.
 ///
 /// The pictures of models' own materials are keyed by their path relative to the same folder; one that cannot be read is a
 /// warning, and the material keeps its colour.
 ///
 /// # Errors
-/// [`FormatError::Asset`] for the first file that cannot be read, with the object or texture that names it.
+/// [`FormatError::Asset`] for the first file that cannot be read, with the object, texture or light that names it.
 pub fn load_assets(scene: &Scene, folder: &Path) -> Result<(Assets, Vec<String>), FormatError> {
     let mut assets = Assets::default();
     let mut warnings = Vec::new();
@@ -23,6 +23,15 @@ pub fn load_assets(scene: &Scene, folder: &Path) -> Result<(Assets, Vec<String>)
             let picture =
                 named(file, folder, read_picture).map_err(|e| wanted_by("texture", &texture.name, e))?;
             assets.pictures.insert(file.into(), Arc::new(picture));
+        }
+    }
+    for light in &scene.lights {
+        let Some(file) = light.source.as_kind().file() else { continue };
+        if !assets.maps.contains_key(file) {
+            let (map, notes) =
+                named(file, folder, read_panorama).map_err(|e| wanted_by("light", &light.name, e))?;
+            warnings.extend(notes);
+            assets.maps.insert(file.into(), Arc::new(map));
         }
     }
     for object in &scene.objects {

@@ -93,6 +93,14 @@ pub enum FormatError {
         /// What it is: "a GIF picture". None: nobody knows.
         found: Option<&'static str>,
     },
+    /// The file's content is no panorama that can be read.
+    #[error("this is not an OpenEXR, HDR, PNG or JPEG picture{}: {}", found.map(|f| format!(" but {f}")).unwrap_or_default(), path.display())]
+    NotAPanorama {
+        /// The file.
+        path: PathBuf,
+        /// What it is: "a GIF picture". None: nobody knows.
+        found: Option<&'static str>,
+    },
     /// The picture's file ends before the picture does.
     #[error("the picture is cut off, its file ends too early: {}", path.display())]
     PictureCutOff {
@@ -185,6 +193,7 @@ impl FormatError {
             Self::UnknownExtension { supported, .. } => format!("known are {supported}"),
             Self::Model { help, .. } | Self::ModelLine { help, .. } => help.clone(),
             Self::NotAPicture { .. } => "save the picture as PNG or JPEG".into(),
+            Self::NotAPanorama { .. } => "save the panorama as OpenEXR, HDR, PNG or JPEG".into(),
             Self::PictureCutOff { .. } => "copy or download the picture again".into(),
             Self::PictureTooLarge { .. } => "make the picture smaller".into(),
             Self::PictureDamaged { .. } => "open the picture in another program and save it again".into(),

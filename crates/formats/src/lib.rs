@@ -13,7 +13,7 @@ pub use atomic::write_atomically;
 pub use error::FormatError;
 pub use image_file::{
     BitDepth, ExrLayers, IMAGE_FORMATS, ImageFormat, WriteOptions, encode, image_format, read_exr_layers,
-    read_picture, write_image,
+    read_panorama, read_picture, write_image,
 };
 pub use mesh_file::{MESH_FORMATS, read_mesh};
 pub use scene_file::{Finding, SceneFile, SceneFileError};

@@ -153,7 +153,8 @@ fn folder_of(path: &Path) -> &Path {
 fn files_of(scene: &Scene) -> Vec<&Path> {
     let models = scene.objects.iter().filter_map(|o| o.shape.as_kind().file());
     let pictures = scene.textures.iter().filter_map(|t| t.source.as_kind().file());
-    models.chain(pictures).collect()
+    let panoramas = scene.lights.iter().filter_map(|l| l.source.as_kind().file());
+    models.chain(pictures).chain(panoramas).collect()
 }
 
 #[cfg(test)]

@@ -25,7 +25,7 @@ pub struct Mark {
 #[must_use]
 pub fn marks(scene: &Scene, selection: &Selection, projection: &Projection) -> Vec<Mark> {
     let light = |light: &vitrine::scene::Light| {
-        let point = position_of(light.source.as_kind().emission())?;
+        let point = position_of(light)?;
         Some(Mark {
             thing: Thing::light(&light.name),
             point,

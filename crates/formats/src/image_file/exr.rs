@@ -3,11 +3,12 @@
 use super::{ImageFormat, WriteOptions, one_line};
 use exr::meta::attribute::Chromaticities;
 use exr::prelude::{
-    AttributeValue, Encoding, Image as ExrImage, Layer, LayerAttributes, SpecificChannels, Text, Vec2,
-    WritableImage,
+    AttributeValue, Encoding, Error, Image as ExrImage, Layer, LayerAttributes, MetaData, ReadChannels,
+    ReadLayers, ReadSpecificChannel, SpecificChannels, Text, Vec2, WritableImage, read,
 };
 use std::io::Cursor;
 use vitrine_film::Image;
+use vitrine_math::Rgb;
 
 /// The entry of the register.
 pub const FORMAT: ImageFormat = ImageFormat { name: "OpenEXR", extensions: &["exr"], encode };
@@ -64,4 +65,34 @@ fn sort_attributes(file: &mut [u8]) -> Option<()> {
     let sorted = attributes.concat();
     file.get_mut(START..START + sorted.len())?.copy_from_slice(&sorted);
     Some(())
+}
+
+/// Reads the first layer that has red, green and blue: its size and its pixels, row by row from the top. `check` sees each
+/// layer's size before memory is taken for it.
+///
+/// # Errors
+/// What `check` says as `Ok`, what is wrong with the file as `Err`.
+pub fn read_linear<E>(
+    file: &[u8],
+    check: impl Fn([u32; 2]) -> Result<(), E>,
+) -> Result<([u32; 2], Vec<Rgb>), Result<E, Error>> {
+    let meta = MetaData::read_from_buffered(Cursor::new(file), false).map_err(Err)?;
+    for header in &meta.headers {
+        let size = [header.layer_size.x(), header.layer_size.y()];
+        check(size.map(|s| u32::try_from(s).unwrap_or(u32::MAX))).map_err(Ok)?;
+    }
+    let layer = read()
+        .no_deep_data()
+        .largest_resolution_level()
+        .rgb_channels(
+            |size, _| (size, vec![Rgb::BLACK; size.area()]),
+            |(size, pixels), place, (r, g, b): (f32, f32, f32)| {
+                pixels[place.flat_index_for_size(*size)] = Rgb::new(r, g, b);
+            },
+        )
+        .first_valid_layer()
+        .all_attributes()
+        .non_parallel();
+    let (size, pixels) = layer.from_buffered(Cursor::new(file)).map_err(Err)?.layer_data.channel_data.pixels;
+    Ok(([size.x() as u32, size.y() as u32], pixels))
 }

@@ -5,10 +5,12 @@ mod exr;
 mod exr_layers;
 mod hdr;
 mod jpeg;
+mod panorama;
 mod picture;
 mod png;
 
 pub use exr_layers::{ExrLayers, parse_exr_layers, read_exr_layers};
+pub use panorama::{parse_panorama, read_panorama};
 pub use picture::{parse_picture, read_picture};
 
 use crate::{FormatError, write_atomically};
