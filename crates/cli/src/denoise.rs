@@ -3,7 +3,6 @@
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::path::PathBuf;
-use vitrine::Image;
 use vitrine::denoise::{DenoiseError, Denoiser, Quality};
 
 /// With what the noise is taken out, and how well.
@@ -37,18 +36,13 @@ impl DenoiseFlags {
         Ok(Denoiser::find(self.oidn.as_deref())?.with_threads(threads))
     }
 
-    /// Takes the noise out of a picture with the help of its albedo and its normals, and says by what that was done. When it
-    /// fails, the picture is as it was.
-    ///
-    /// # Errors
-    /// When the pictures do not fit together or the library fails.
-    pub fn clean(
-        &self,
-        denoiser: &Denoiser,
-        light: &mut Image,
-        [albedo, normal]: [Option<&Image>; 2],
-    ) -> Result<String, DenoiseError> {
-        *light = denoiser.run(light, albedo, normal, self.denoise_quality.unwrap_or_default())?;
-        Ok(format!("Open Image Denoise {}", denoiser.version()))
+    /// How well the noise is taken out.
+    pub fn quality(&self) -> Quality {
+        self.denoise_quality.unwrap_or_default()
     }
+}
+
+/// What a picture's file says of its denoising.
+pub fn metadata(denoiser: &Denoiser) -> (String, String) {
+    ("vitrine:denoised".into(), format!("Open Image Denoise {}", denoiser.version()))
 }

@@ -5,9 +5,6 @@ use vitrine::formats::BitDepth;
 use vitrine::scene::params::Value;
 use vitrine::scene::{Cause, ParamKind, ParamSpec, Settings};
 
-/// The key under which a picture's file says by what it was denoised.
-pub const DENOISED: &str = "vitrine:denoised";
-
 /// More threads than this help nobody.
 const MOST_THREADS: usize = 1024;
 

@@ -20,7 +20,7 @@ use library::{Device, Job, Library};
 use places::Place;
 use std::ffi::{CStr, c_int};
 use std::path::{Path, PathBuf, absolute};
-use vitrine_film::Image;
+use vitrine_film::{Film, Image, Layers};
 use vitrine_math::Rgb;
 
 /// How much time goes into a picture.
@@ -140,6 +140,22 @@ impl Denoiser {
         let clean = task.run(&inputs, claims).map_err(failed)?;
         let pixels = clean.as_chunks().0.iter().map(|&[r, g, b]| Rgb::new(r, g, b)).collect();
         Ok(Image { size: light.size, pixels })
+    }
+
+    /// The picture of a film, without its noise; with the help of albedo and normals where the film has them.
+    ///
+    /// # Errors
+    /// As [`Denoiser::run`].
+    pub fn run_film(&self, film: &Film, quality: Quality) -> Result<Image, DenoiseError> {
+        let light = film.image();
+        // A renderer that makes no features leaves them black.
+        let layers = film.layers().filter(|layers| layers.albedo.pixels.iter().any(|p| *p != Rgb::BLACK));
+        let Some(Layers { albedo, normal, .. }) = layers else {
+            return self.run(&light, None, None, quality);
+        };
+        let normal =
+            Image { size: light.size, pixels: normal.iter().map(|n| Rgb::from(n.to_array())).collect() };
+        self.run(&light, Some(&albedo), Some(&normal), quality)
     }
 }
 

@@ -4,6 +4,8 @@ use super::*;
 use std::fs;
 use std::io::{self, Write};
 use std::sync::Once;
+use vitrine_film::{Features, Region, TileSums};
+use vitrine_math::Vec3;
 
 fn not_found(places: &[Place]) -> (Vec<Attempt>, String) {
     let error = Denoiser::look_in(places).unwrap_err();
@@ -177,6 +179,41 @@ fn edges_that_the_features_show_survive() {
     assert!(contrast(&with) > 0.3, "{}", contrast(&with));
     assert!(error_of(&with, &truth) < 0.5 * error_of(&without, &truth));
     assert!(error_of(&with, &truth) < error_of(&noise, &truth) / 10.0);
+}
+
+#[test]
+fn a_film_brings_its_own_features() {
+    let Some(denoiser) = library() else { return };
+    let region = Region { x: 3, y: 5, width: 40, height: 32 };
+    let fill = |film: &mut Film, with_features: bool| {
+        let mut bands: Vec<_> = film.bands().collect();
+        for (tile, part) in Film::tiles(region).enumerate() {
+            let light: Vec<_> = (0..part.pixels()).map(|i| Rgb::splat((i * i % 7) as f32)).collect();
+            let at = |i: usize| Rgb::splat(if i % part.width as usize > 3 { 0.75 } else { 0.25 });
+            let feature = |i| Features { albedo: at(i), normal: Vec3::Y, depth: 1.0 };
+            let features: Vec<_> = (0..part.pixels()).map(feature).collect();
+            let features = if with_features { &features[..] } else { &[] };
+            bands[0].add_samples(tile, TileSums { light: &light, features }, 1);
+        }
+    };
+    let mut films = [Film::with_layers(region), Film::with_layers(region), Film::new(region)];
+    for (film, with_features) in films.iter_mut().zip([true, false, false]) {
+        fill(film, with_features);
+    }
+    let [with, empty, without] = films.map(|film| {
+        let layers = film.layers().filter(|l| l.depth[0] > 0.0);
+        let normal = |l: &Layers| Image {
+            size: [40, 32],
+            pixels: l.normal.iter().map(|n| Rgb::new(n.x, n.y, n.z)).collect(),
+        };
+        let normal = layers.as_ref().map(normal);
+        let albedo = layers.as_ref().map(|l| &l.albedo);
+        let by_hand = denoiser.run(&film.image(), albedo, normal.as_ref(), Quality::High).unwrap();
+        assert_eq!(denoiser.run_film(&film, Quality::High).unwrap(), by_hand);
+        by_hand
+    });
+    assert_eq!(empty, without, "features that nobody made are none");
+    assert_ne!(with, without);
 }
 
 #[test]

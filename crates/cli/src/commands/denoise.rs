@@ -1,12 +1,12 @@
 //! `vitrine denoise`: a picture in linear light to the same without noise.
 
 use crate::console;
-use crate::denoise::DenoiseFlags;
+use crate::denoise::{self, DenoiseFlags};
 use crate::failure::{Exit, Failure};
 use crate::flags::{PictureFlags, ThreadFlag};
+use crate::output;
 use crate::report::{self, Report};
 use crate::stopwatch::{self, Stopwatch};
-use crate::{output, values};
 use clap::Args;
 use std::path::{Path, PathBuf};
 use vitrine::formats::{self, ExrLayers};
@@ -56,11 +56,12 @@ impl Denoise {
         }
         let denoiser = self.denoise.find(self.threads.threads)?;
         let watch = Stopwatch::start();
-        let ExrLayers { mut light, albedo, normal, mut metadata } = layers;
-        let by = self.denoise.clean(&denoiser, &mut light, [albedo.as_ref(), normal.as_ref()])?;
+        let ExrLayers { light, albedo, normal, mut metadata } = layers;
+        let light = denoiser.run(&light, albedo.as_ref(), normal.as_ref(), self.denoise.quality())?;
         let elapsed = watch.elapsed();
-        metadata.retain(|(key, _)| key != values::DENOISED);
-        metadata.push((values::DENOISED.into(), by.clone()));
+        let (key, by) = denoise::metadata(&denoiser);
+        metadata.retain(|(k, _)| *k != key);
+        metadata.push((key, by.clone()));
         formats::write_image(&path, &light, &WriteOptions { metadata, ..options }).map_err(Error::from)?;
         if !self.quiet {
             let with = if albedo.is_some() { ", with albedo" } else { "" };

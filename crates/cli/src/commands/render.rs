@@ -1,6 +1,6 @@
 //! `vitrine render`: a scene file to a picture.
 
-use crate::denoise::DenoiseFlags;
+use crate::denoise::{self, DenoiseFlags};
 use crate::events::Events;
 use crate::failure::{Exit, Failure};
 use crate::flags::{PictureFlags, SettingFlags, ThreadFlag};
@@ -122,12 +122,12 @@ impl Render {
             events.progress(progress);
         })?;
         let (mut done, film) = Done::of(made);
-        let mut image = film.into_image();
         // Who presses Ctrl-C waits for nothing more.
-        if let Some(denoiser) = denoiser.filter(|_| done.is_complete) {
+        let denoiser = denoiser.filter(|_| done.is_complete);
+        if denoiser.is_some() {
             bar.say("Denoising…");
-            done.denoised = Some(self.clean(denoiser, &mut image));
         }
+        let image = self.finish(denoiser, film, &mut done);
         drop(bar);
         let is_saved = done.samples > 0;
         if is_saved {
@@ -147,13 +147,23 @@ impl Render {
         self.denoise || settings.denoise && settings.renderer == Renderer::Photoreal
     }
 
-    /// Takes the noise out of the picture, and says by what.
-    fn clean(
-        &self,
-        denoiser: Result<Denoiser, DenoiseError>,
-        image: &mut Image,
-    ) -> Result<String, DenoiseError> {
-        self.denoising.clean(&denoiser?, image, [None, None])
+    /// The film's picture, without its noise where that was asked for and can be done.
+    fn finish(&self, denoiser: Option<Result<Denoiser, DenoiseError>>, film: Film, done: &mut Done) -> Image {
+        let clean = |denoiser: Denoiser| {
+            let image = denoiser.run_film(&film, self.denoising.quality())?;
+            Ok((image, denoise::metadata(&denoiser)))
+        };
+        match denoiser.map(|denoiser| denoiser.and_then(clean)) {
+            Some(Ok((image, by))) => {
+                done.denoised = Some(Ok(by));
+                image
+            }
+            Some(Err(error)) => {
+                done.denoised = Some(Err(error));
+                film.into_image()
+            }
+            None => film.into_image(),
+        }
     }
 
     fn show_warnings(&self, events: &Events, warnings: &[Report]) {
@@ -208,7 +218,7 @@ impl Render {
             "render_seconds": done.elapsed.wall.as_secs_f64(),
             "cpu_seconds": done.elapsed.cpu.as_secs_f64(),
             "scene_hash": project.hash().to_string(),
-            "denoised": done.denoised_by(),
+            "denoised": done.denoised().map(|(_, by)| by),
         }));
     }
 
@@ -224,7 +234,7 @@ impl Render {
         if self.quiet || self.json {
             return Ok(());
         }
-        let denoised = if done.denoised_by().is_some() { ", denoised" } else { "" };
+        let denoised = if done.denoised().is_some() { ", denoised" } else { "" };
         console::print(format!(
             "{}: {} × {} pixels in {} ({} rays){denoised}\n",
             path.display(),
@@ -243,8 +253,8 @@ struct Done {
     rays: u64,
     is_complete: bool,
     elapsed: Elapsed,
-    /// By what the picture was denoised, or why not. None: nobody asked for it.
-    denoised: Option<Result<String, DenoiseError>>,
+    /// What the file says of its denoising, or why there was none. None: nobody asked for it.
+    denoised: Option<Result<(String, String), DenoiseError>>,
 }
 
 impl Done {
@@ -255,7 +265,8 @@ impl Done {
         (Self { region, samples, rays, is_complete, elapsed, denoised: None }, film)
     }
 
-    fn denoised_by(&self) -> Option<&String> {
+    /// Key and text for the picture's file.
+    fn denoised(&self) -> Option<&(String, String)> {
         self.denoised.as_ref()?.as_ref().ok()
     }
 }
@@ -270,9 +281,7 @@ fn save(path: &Path, image: &Image, done: &Done, mut options: WriteOptions) -> R
     if !done.is_complete {
         options.metadata.push(("vitrine:complete".into(), "false".into()));
     }
-    if let Some(by) = done.denoised_by() {
-        options.metadata.push((values::DENOISED.into(), by.clone()));
-    }
+    options.metadata.extend(done.denoised().cloned());
     formats::write_image(path, image, &options)?;
     Ok(())
 }

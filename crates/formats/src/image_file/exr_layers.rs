@@ -1,6 +1,7 @@
 //! Reading OpenEXR pictures for denoising: the light, and where they are there the layers of what each pixel shows first,
 //! its albedo and its normal. They may be channels of one part (`albedo.R`) or parts of their own.
 
+use super::picture::{MAX_PIXELS, MAX_SIDE};
 use crate::{FormatError, disc};
 use exr::meta::MetaData;
 use exr::prelude::{AnyChannels, AttributeValue, FlatSamples, Layers, ReadChannels, ReadLayers, Text, read};
@@ -11,8 +12,6 @@ use vitrine_math::Rgb;
 
 /// The most bytes of a file.
 const MAX_FILE: u64 = 4 << 30;
-/// The most pixels of a layer.
-const MAX_PIXELS: u64 = 1 << 27;
 /// The most bytes that all channels may take in memory.
 const MAX_BYTES: u64 = 16 << 30;
 /// No compression of the format makes anything smaller than this many times; a header that claims more claims too much.
@@ -92,8 +91,9 @@ fn check_claims(meta: &MetaData, bytes: &[u8], path: &Path) -> Result<(), Format
     for header in &meta.headers {
         let (width, height) = (header.layer_size.x() as u64, header.layer_size.y() as u64);
         let pixels = width.saturating_mul(height);
+        let is_too_long = width.max(height) > u64::from(MAX_SIDE);
         claimed = claimed.saturating_add(pixels.saturating_mul(4 * header.channels.list.len() as u64));
-        if pixels > MAX_PIXELS || claimed > MAX_BYTES {
+        if is_too_long || pixels > MAX_PIXELS || claimed > MAX_BYTES {
             let [width, height] = [width, height].map(|side| u32::try_from(side).unwrap_or(u32::MAX));
             return Err(FormatError::PictureTooLarge { path: path.into(), width, height });
         }
