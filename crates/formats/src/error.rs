@@ -101,6 +101,14 @@ pub enum FormatError {
         /// What it is: "a GIF picture". None: nobody knows.
         found: Option<&'static str>,
     },
+    /// The file is not one with the layers of a picture, or lacks what is needed.
+    #[error("{reason}: {}", path.display())]
+    Layers {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong.
+        reason: &'static str,
+    },
     /// The picture's file ends before the picture does.
     #[error("the picture is cut off, its file ends too early: {}", path.display())]
     PictureCutOff {
@@ -124,14 +132,6 @@ pub enum FormatError {
         path: PathBuf,
         /// The decoder's reason.
         reason: String,
-    },
-    /// The file is not one with the layers of a picture, or lacks what is needed.
-    #[error("{reason}: {}", path.display())]
-    Layers {
-        /// The file.
-        path: PathBuf,
-        /// What is wrong.
-        reason: &'static str,
     },
     /// A picture does not fit into its format.
     #[error("the picture does not fit into a {format} file: {reason}")]
@@ -194,10 +194,10 @@ impl FormatError {
             Self::Model { help, .. } | Self::ModelLine { help, .. } => help.clone(),
             Self::NotAPicture { .. } => "save the picture as PNG or JPEG".into(),
             Self::NotAPanorama { .. } => "save the panorama as OpenEXR, HDR, PNG or JPEG".into(),
+            Self::Layers { .. } => "save the picture as OpenEXR, in colour".into(),
             Self::PictureCutOff { .. } => "copy or download the picture again".into(),
             Self::PictureTooLarge { .. } => "make the picture smaller".into(),
             Self::PictureDamaged { .. } => "open the picture in another program and save it again".into(),
-            Self::Layers { .. } => "save the picture as OpenEXR, in colour".into(),
             Self::Encode { .. } => "choose another format or a smaller picture".into(),
             Self::MissingFolder { .. } => "create the folder first, or choose another".into(),
             Self::DiscFull { .. } => "make space or choose another disc".into(),
