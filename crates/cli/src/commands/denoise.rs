@@ -4,13 +4,16 @@ use crate::console;
 use crate::denoise::{self, DenoiseFlags};
 use crate::failure::{Exit, Failure};
 use crate::flags::{PictureFlags, ThreadFlag};
-use crate::output;
 use crate::report::{self, Report};
 use crate::stopwatch::{self, Stopwatch};
+use crate::{output, values};
 use clap::Args;
+use clap::builder::PossibleValuesParser;
 use std::path::{Path, PathBuf};
+use vitrine::film::Display;
 use vitrine::formats::{self, ExrLayers};
-use vitrine::{Error, WriteOptions};
+use vitrine::scene::{Renderer, Settings, View};
+use vitrine::{Error, WriteOptions, display_of};
 
 /// Take the noise out of an OpenEXR picture
 ///
@@ -35,6 +38,15 @@ pub struct Denoise {
 
     #[command(flatten)]
     saving: PictureFlags,
+
+    /// How light becomes the colours of a PNG or JPEG: `neutral`, `agx` or `srgb`; else as the renderer shows it that the file
+    /// names
+    #[arg(long, value_name = "NAME", value_parser = PossibleValuesParser::new(View::WORDS), hide_possible_values = true)]
+    view: Option<String>,
+
+    /// How much brighter a PNG or JPEG shows the light, in stops: each doubles it, less than 0 darkens it
+    #[arg(long, value_name = "STOPS", value_parser = values::exposure, allow_hyphen_values = true)]
+    exposure: Option<f32>,
 
     /// No last line; errors are still shown
     #[arg(short, long)]
@@ -62,7 +74,8 @@ impl Denoise {
         let (key, by) = denoise::metadata(&denoiser);
         metadata.retain(|(k, _)| *k != key);
         metadata.push((key, by.clone()));
-        formats::write_image(&path, &light, &WriteOptions { metadata, ..options }).map_err(Error::from)?;
+        let options = WriteOptions { display: self.display(&metadata), metadata, ..options };
+        formats::write_image(&path, &light, &options).map_err(Error::from)?;
         if !self.quiet {
             let with = if albedo.is_some() { ", with albedo" } else { "" };
             let and = if normal.is_some() { " and normals" } else { "" };
@@ -73,6 +86,19 @@ impl Denoise {
             ))?;
         }
         Ok(Exit::Done)
+    }
+
+    /// How the light is shown: as the flags say, else as the renderer would that the file's texts name.
+    fn display(&self, metadata: &[(String, String)]) -> Display {
+        let renderer = metadata.iter().find(|(key, _)| key == "vitrine:renderer");
+        let renderer = renderer.and_then(|(_, word)| Renderer::from_word(word));
+        let default = Settings::default();
+        display_of(&Settings {
+            renderer: renderer.unwrap_or(default.renderer),
+            view: self.view.as_deref().and_then(View::from_word),
+            exposure: self.exposure.unwrap_or(default.exposure),
+            ..default
+        })
     }
 }
 

@@ -63,6 +63,7 @@ fn what_is_no_exr_picture_is_refused_first() {
     folder.run(&["denoise", "none.exr"]).fails(3, &["no such file", "none.exr"]);
     folder.run(&["denoise", "a.exr", "-o", "b.txt"]).fails(2, &["b.txt", ".png"]);
     folder.run(&["denoise", "a.exr", "--denoise-quality", "hig"]).fails(2, &["high"]);
+    folder.run(&["denoise", "a.exr", "--exposure", "99"]).fails(2, &["exposure", "20"]);
 }
 
 #[test]
@@ -84,4 +85,9 @@ fn a_render_is_denoised_as_its_file_would_be() {
     assert!(contains(&folder.read("once.exr"), "Open Image Denoise 2."));
     folder.run_well(&["denoise", "noise.exr"]);
     assert_eq!(folder.picture("noise-denoised.png").size, [40, 30]);
+    for (name, flags) in [("darker", ["--exposure", "-2"]), ("film", ["--view", "agx"])] {
+        let name = format!("{name}.png");
+        folder.run_well(&["denoise", "noise.exr", "-o", &name, flags[0], flags[1]]);
+        assert_ne!(folder.picture(&name), folder.picture("noise-denoised.png"), "{flags:?}");
+    }
 }
