@@ -203,7 +203,9 @@ struct Done {
 impl Done {
     /// Takes the film out of what was made.
     fn of(made: Made) -> (Self, Film) {
-        let Made { rendered: Rendered { film, is_complete, rays }, elapsed } = made;
+        let Made { rendered, elapsed } = made;
+        let is_complete = rendered.is_complete();
+        let Rendered { film, rays, .. } = rendered;
         (Self { region: film.region(), samples: film.samples(), rays, is_complete, elapsed }, film)
     }
 }
