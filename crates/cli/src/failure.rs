@@ -65,7 +65,7 @@ impl From<Error> for Failure {
                 error.to_string(),
                 "--region takes X,Y,W,H in pixels from the upper left corner of the picture",
             ),
-            Error::Render(RenderError::OtherFilm) => {
+            Error::Render(RenderError::OtherFilm | RenderError::OtherBlocks { .. }) => {
                 Self::new(Exit::Failed, Report::error(error.to_string()))
             }
             Error::Render(RenderError::TooLarge { .. }) => {

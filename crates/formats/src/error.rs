@@ -133,6 +133,24 @@ pub enum FormatError {
         /// The decoder's reason.
         reason: String,
     },
+    /// The file keeps no render.
+    #[error("this is not a file that keeps a stopped render: {}", path.display())]
+    NotAState {
+        /// The file.
+        path: PathBuf,
+    },
+    /// The file keeps a render of another version of Vitrine.
+    #[error("the stopped render was begun by another version of Vitrine: {}", path.display())]
+    StateOfOtherVersion {
+        /// The file.
+        path: PathBuf,
+    },
+    /// The file keeps a render and is damaged.
+    #[error("the file of the stopped render is damaged or cut off: {}", path.display())]
+    StateDamaged {
+        /// The file.
+        path: PathBuf,
+    },
     /// A picture does not fit into its format.
     #[error("the picture does not fit into a {format} file: {reason}")]
     Encode {
@@ -198,6 +216,11 @@ impl FormatError {
             Self::PictureCutOff { .. } => "copy or download the picture again".into(),
             Self::PictureTooLarge { .. } => "make the picture smaller".into(),
             Self::PictureDamaged { .. } => "open the picture in another program and save it again".into(),
+            Self::NotAState { .. } => "give the .vitrine-state file that the render left".into(),
+            Self::StateOfOtherVersion { .. } => {
+                "go on with the version that began it, or remove the file and render anew".into()
+            }
+            Self::StateDamaged { .. } => "remove the file and render anew".into(),
             Self::Encode { .. } => "choose another format or a smaller picture".into(),
             Self::MissingFolder { .. } => "create the folder first, or choose another".into(),
             Self::DiscFull { .. } => "make space or choose another disc".into(),

@@ -33,12 +33,14 @@
 //! [`save`] writes PNG, JPEG, OpenEXR or Radiance HDR by the file's extension. Whoever needs more (progress, stopping,
 //! regions) compiles the scene and runs a [`RenderJob`] from [`mod@render`]. The parts of Vitrine are re-exported as modules.
 
+mod display;
 mod error;
 mod hash;
 mod project;
 pub mod summary;
 pub mod templates;
 
+pub use display::display_of;
 pub use error::Error;
 pub use hash::SceneHash;
 pub use project::{Project, load, metadata_of};
@@ -71,13 +73,14 @@ pub fn render(project: &Project, threads: usize) -> Result<Rendered, Error> {
     Ok(job.run(threads, &Cancel::default(), &mut |_| {}))
 }
 
-/// Writes a rendered picture, as PNG, JPEG, OpenEXR or Radiance HDR by the extension, with the scene's mark, seed and
-/// samples in its metadata. The file is complete or as it was before.
+/// Writes a rendered picture, as PNG, JPEG, OpenEXR or Radiance HDR by the extension, shown as the scene's settings say, with the
+/// scene's mark, seed and samples in its metadata. The file is complete or as it was before.
 ///
 /// # Errors
 /// When the extension is unknown or the file cannot be written.
 pub fn save(project: &Project, picture: &Rendered, path: impl AsRef<Path>) -> Result<(), Error> {
     let metadata = project.metadata(&project.scene.settings);
-    let options = WriteOptions { metadata, ..WriteOptions::default() };
+    let display = display_of(&project.scene.settings);
+    let options = WriteOptions { metadata, display, ..WriteOptions::default() };
     Ok(formats::write_image(path.as_ref(), &picture.film.image(), &options)?)
 }

@@ -11,7 +11,7 @@ use clap::Args;
 use clap::builder::PossibleValuesParser;
 use std::path::{Path, PathBuf};
 use vitrine::film::Display;
-use vitrine::formats::{self, ExrLayers};
+use vitrine::formats::{self, ExrFeatures};
 use vitrine::scene::{Renderer, Settings, View};
 use vitrine::{Error, WriteOptions, display_of};
 
@@ -62,13 +62,13 @@ impl Denoise {
         let path = self.output.clone().unwrap_or_else(|| beside(&self.picture));
         output::check_picture(&path)?;
         let options = self.saving.options(&path)?;
-        let mut layers = formats::read_exr_layers(&self.picture).map_err(Error::from)?;
+        let mut layers = formats::read_exr_features(&self.picture).map_err(Error::from)?;
         if layers.albedo.is_none() && layers.normal.take().is_some() && !self.quiet {
             report::show(&[Report::warning("the normals are not used, for there is no albedo")]);
         }
         let denoiser = self.denoise.find(self.threads.threads)?;
         let watch = Stopwatch::start();
-        let ExrLayers { light, albedo, normal, mut metadata } = layers;
+        let ExrFeatures { light, albedo, normal, mut metadata } = layers;
         let light = denoiser.run(&light, albedo.as_ref(), normal.as_ref(), self.denoise.quality())?;
         let elapsed = watch.elapsed();
         let (key, by) = denoise::metadata(&denoiser);

@@ -260,7 +260,9 @@ struct Done {
 impl Done {
     /// Takes the film out of what was made.
     fn of(made: Made) -> (Self, Film) {
-        let Made { rendered: Rendered { film, is_complete, rays }, elapsed } = made;
+        let Made { rendered, elapsed } = made;
+        let is_complete = rendered.is_complete();
+        let Rendered { film, rays, .. } = rendered;
         let (region, samples) = (film.region(), film.samples());
         (Self { region, samples, rays, is_complete, elapsed, denoised: None }, film)
     }

@@ -3,7 +3,7 @@
 use crate::support::{Folder, contains, outcome};
 use std::io::{self, Write};
 use vitrine::denoise::VARIABLE;
-use vitrine::formats::read_exr_layers;
+use vitrine::formats::read_exr_features;
 
 /// Whether the variable names the library; a word about it where it does not.
 fn has_library() -> bool {
@@ -78,7 +78,7 @@ fn a_render_is_denoised_as_its_file_would_be() {
     assert!(outcome.out.trim_end().ends_with(", denoised"), "{}", outcome.out);
     let outcome = folder.run_well(&["denoise", "noise.exr", "-o", "later.exr", "--threads", "2"]);
     assert!(outcome.out.starts_with("later.exr: denoised in "), "{}", outcome.out);
-    let read = |name: &str| read_exr_layers(&folder.path(name)).unwrap();
+    let read = |name: &str| read_exr_features(&folder.path(name)).unwrap();
     let (noise, once, later) = (read("noise.exr"), read("once.exr"), read("later.exr"));
     assert_eq!(once, later, "the picture and the texts of its file");
     assert_ne!(once.light, noise.light);

@@ -68,6 +68,16 @@ impl Display {
         self.view.display(self.correction().apply(color))
     }
 
+    /// The picture as the display shows it, in linear light again: each channel from 0 to 1.
+    #[must_use]
+    pub fn shown(&self, image: &Image) -> Image {
+        let correction = self.correction();
+        // `max` gives the other number for NaN.
+        let clamp = |p: Rgb| Rgb::from(p.to_array().map(|v| v.max(0.0).min(1.0)));
+        let show = |p: &Rgb| clamp(self.view.linear(correction.apply(*p)));
+        Image { size: image.size, pixels: image.pixels.iter().map(show).collect() }
+    }
+
     /// The picture in 8 bits a channel: red, green, blue, row by row.
     #[must_use]
     pub fn to_u8(&self, image: &Image) -> Vec<u8> {

@@ -3,10 +3,10 @@
 
 use libfuzzer_sys::fuzz_target;
 use std::path::Path;
-use vitrine_formats::image_file::parse_exr_layers;
+use vitrine_formats::image_file::parse_exr_features;
 
 fuzz_target!(|data: &[u8]| {
-    if let Ok(layers) = parse_exr_layers(data, Path::new("picture.exr")) {
+    if let Ok(layers) = parse_exr_features(data, Path::new("picture.exr")) {
         let size = layers.light.size;
         for image in
             [Some(&layers.light), layers.albedo.as_ref(), layers.normal.as_ref()].into_iter().flatten()
