@@ -3,6 +3,7 @@
 use crate::report::Report;
 use std::process::ExitCode;
 use vitrine::Error;
+use vitrine::denoise::DenoiseError;
 use vitrine::formats::FormatError;
 use vitrine::render::RenderError;
 
@@ -79,6 +80,18 @@ impl From<Error> for Failure {
             }
             Error::Folder { .. } => Self::new(Exit::Failed, Report::error(error.to_string())),
         }
+    }
+}
+
+impl From<DenoiseError> for Failure {
+    fn from(error: DenoiseError) -> Self {
+        let exit = match error {
+            DenoiseError::NotFound { .. } | DenoiseError::Failed { .. } => Exit::Failed,
+            DenoiseError::NotWhole { .. } | DenoiseError::OtherSize { .. } | DenoiseError::NormalsAlone => {
+                Exit::BadInput
+            }
+        };
+        Self::new(exit, Report::error(error.to_string()).with_help(error.help()))
     }
 }
 

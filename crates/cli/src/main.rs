@@ -2,6 +2,7 @@
 
 mod commands;
 mod console;
+mod denoise;
 mod draw;
 mod events;
 mod failure;

@@ -24,6 +24,12 @@ impl Bar {
         self.0.set_message(label.into());
     }
 
+    /// From now on this word, and no bar.
+    pub fn say(&self, label: &str) {
+        self.0.set_style(style("{msg}"));
+        self.0.set_message(label.to_owned());
+    }
+
     /// Shows how far the work is.
     pub fn show(&self, progress: Progress) {
         self.0.set_length(progress.samples_total);

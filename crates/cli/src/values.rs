@@ -35,6 +35,14 @@ pub fn seed(text: &str) -> Result<u32, String> {
     whole_number("seed", text)
 }
 
+/// Exposure in stops.
+pub fn exposure(text: &str) -> Result<f32, String> {
+    let spec = setting("exposure");
+    let number: f32 = text.parse().map_err(|_| format!("it takes {}", spec.allowed()))?;
+    spec.check(&Value::Number(number)).map_err(|_| format!("it takes {}", spec.allowed()))?;
+    Ok(number)
+}
+
 /// "809x817", with x, X or ×.
 pub fn size(text: &str) -> Result<[u32; 2], String> {
     let spec = setting("size");
@@ -105,6 +113,8 @@ mod tests {
         }
         assert_eq!(depth("0"), Ok(0));
         assert!(depth("33").is_err());
+        assert_eq!((exposure("-1.5"), exposure("2")), (Ok(-1.5), Ok(2.0)));
+        assert!(["21", "nan", "bright"].iter().all(|bad| exposure(bad).is_err()));
         assert_eq!(seed("4294967295"), Ok(u32::MAX));
     }
 

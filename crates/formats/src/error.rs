@@ -101,6 +101,14 @@ pub enum FormatError {
         /// What it is: "a GIF picture". None: nobody knows.
         found: Option<&'static str>,
     },
+    /// The file is not one with the layers of a picture, or lacks what is needed.
+    #[error("{reason}: {}", path.display())]
+    Layers {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong.
+        reason: &'static str,
+    },
     /// The picture's file ends before the picture does.
     #[error("the picture is cut off, its file ends too early: {}", path.display())]
     PictureCutOff {
@@ -204,6 +212,7 @@ impl FormatError {
             Self::Model { help, .. } | Self::ModelLine { help, .. } => help.clone(),
             Self::NotAPicture { .. } => "save the picture as PNG or JPEG".into(),
             Self::NotAPanorama { .. } => "save the panorama as OpenEXR, HDR, PNG or JPEG".into(),
+            Self::Layers { .. } => "save the picture as OpenEXR, in colour".into(),
             Self::PictureCutOff { .. } => "copy or download the picture again".into(),
             Self::PictureTooLarge { .. } => "make the picture smaller".into(),
             Self::PictureDamaged { .. } => "open the picture in another program and save it again".into(),

@@ -44,6 +44,7 @@ pub use display::display_of;
 pub use error::Error;
 pub use hash::SceneHash;
 pub use project::{Project, load, metadata_of};
+pub use vitrine_denoise as denoise;
 pub use vitrine_film as film;
 pub use vitrine_formats as formats;
 pub use vitrine_math as math;

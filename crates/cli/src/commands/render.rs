@@ -1,5 +1,6 @@
 //! `vitrine render`: a scene file to a picture.
 
+use crate::denoise::{self, DenoiseFlags};
 use crate::events::Events;
 use crate::failure::{Exit, Failure};
 use crate::flags::{PictureFlags, SettingFlags, ThreadFlag};
@@ -11,9 +12,11 @@ use crate::{console, interrupt, output, report, stopwatch, values};
 use clap::Args;
 use serde_json::json;
 use std::path::{Path, PathBuf};
+use vitrine::denoise::{DenoiseError, Denoiser};
 use vitrine::film::Film;
 use vitrine::render::accel::simd::Instructions;
-use vitrine::{Project, Region, RenderOptions, Rendered, WriteOptions, formats};
+use vitrine::scene::{Renderer, Settings};
+use vitrine::{Image, Project, Region, RenderOptions, Rendered, WriteOptions, formats};
 
 /// Make the picture of a scene
 ///
@@ -25,6 +28,7 @@ use vitrine::{Project, Region, RenderOptions, Rendered, WriteOptions, formats};
     vitrine render ball.vitrine.toml -o ball.jpg --size 1920x1080 --samples 16\n  \
     vitrine render ball.vitrine.toml --set object.ball.material.transparency=0.4\n  \
     vitrine render ball.vitrine.toml -o part.png --region 100,50,400,300 --threads 1\n  \
+    vitrine render ball.vitrine.toml --denoise\n  \
     vitrine render ball.vitrine.toml --json | tail -1")]
 pub struct Render {
     /// The scene file, NAME.vitrine.toml
@@ -54,13 +58,24 @@ pub struct Render {
     /// Report to programs: lines of JSON on stdout
     ///
     /// Each line has an "event": start, warning, progress, and last done or error. The line of done has output, complete,
-    /// width, height, threads, samples, rays, render_seconds and cpu_seconds; the times are those of rendering alone.
+    /// width, height, threads, samples, rays, render_seconds, cpu_seconds (the times are those of rendering alone) and denoised: by
+    /// what, or null. When the picture is saved and could not be denoised, an error follows.
     #[arg(long)]
     pub json: bool,
 
     /// No progress bar, no warnings, no last line; errors are still shown
     #[arg(short, long)]
     quiet: bool,
+
+    /// Take out the noise that is left when the picture is done, as settings.denoise asks for it in a scene
+    ///
+    /// Open Image Denoise 2 does it, which is no part of Vitrine and must be there. Where it is not, the picture is saved with
+    /// its noise, and the exit code is 1. The same bytes on every machine are promised only without this.
+    #[arg(long)]
+    denoise: bool,
+
+    #[command(flatten)]
+    denoising: DenoiseFlags,
 
     #[command(flatten)]
     settings: SettingFlags,
@@ -87,7 +102,13 @@ impl Render {
 
         let mut events = Events::new(self.json);
         self.send_start(&events, &project, &path);
-        self.show_warnings(&events, &project);
+        let denoiser = self.wants_denoising(&settings).then(|| self.denoising.find(self.threads.threads));
+        let mut warnings = Report::warnings_of(&project);
+        if let Some(Err(_)) = &denoiser {
+            warnings
+                .push(Report::warning("Open Image Denoise 2 was not found: the picture will keep its noise"));
+        }
+        self.show_warnings(&events, &warnings);
 
         let bar = Bar::new(self.quiet || self.json);
         let mut compiled = picture::compile(&project)?;
@@ -100,27 +121,59 @@ impl Render {
             bar.show(progress);
             events.progress(progress);
         })?;
+        let (mut done, film) = Done::of(made);
+        // Who presses Ctrl-C waits for nothing more.
+        let denoiser = denoiser.filter(|_| done.is_complete);
+        if denoiser.is_some() {
+            bar.say("Denoising…");
+        }
+        let image = self.finish(denoiser, film, &mut done);
         drop(bar);
-
-        let (done, film) = Done::of(made);
         let is_saved = done.samples > 0;
         if is_saved {
-            save(&path, film, &done, write_options)?;
+            save(&path, &image, &done, write_options)?;
         }
         self.send_done(&events, &project, is_saved.then_some(&path), &done);
         self.say_done(is_saved.then_some(&path), &done)?;
-        Ok(if done.is_complete { Exit::Done } else { Exit::Interrupted })
+        match done.denoised {
+            Some(Err(error)) => Err(kept_its_noise(&error)),
+            _ if done.is_complete => Ok(Exit::Done),
+            _ => Ok(Exit::Interrupted),
+        }
     }
 
-    fn show_warnings(&self, events: &Events, project: &Project) {
-        let warnings = Report::warnings_of(project);
-        for warning in &warnings {
+    /// Whether the noise is to be taken out: the flag asks for that with any renderer, a scene for photoreal pictures only.
+    fn wants_denoising(&self, settings: &Settings) -> bool {
+        self.denoise || settings.denoise && settings.renderer == Renderer::Photoreal
+    }
+
+    /// The film's picture, without its noise where that was asked for and can be done.
+    fn finish(&self, denoiser: Option<Result<Denoiser, DenoiseError>>, film: Film, done: &mut Done) -> Image {
+        let clean = |denoiser: Denoiser| {
+            let image = denoiser.run_film(&film, self.denoising.quality())?;
+            Ok((image, denoise::metadata(&denoiser)))
+        };
+        match denoiser.map(|denoiser| denoiser.and_then(clean)) {
+            Some(Ok((image, by))) => {
+                done.denoised = Some(Ok(by));
+                image
+            }
+            Some(Err(error)) => {
+                done.denoised = Some(Err(error));
+                film.into_image()
+            }
+            None => film.into_image(),
+        }
+    }
+
+    fn show_warnings(&self, events: &Events, warnings: &[Report]) {
+        for warning in warnings {
             let mut event = warning.to_json();
             event["event"] = "warning".into();
             events.send(&event);
         }
         if !self.quiet {
-            report::show(&warnings);
+            report::show(warnings);
         }
     }
 
@@ -165,6 +218,7 @@ impl Render {
             "render_seconds": done.elapsed.wall.as_secs_f64(),
             "cpu_seconds": done.elapsed.cpu.as_secs_f64(),
             "scene_hash": project.hash().to_string(),
+            "denoised": done.denoised().map(|(_, by)| by),
         }));
     }
 
@@ -180,8 +234,9 @@ impl Render {
         if self.quiet || self.json {
             return Ok(());
         }
+        let denoised = if done.denoised().is_some() { ", denoised" } else { "" };
         console::print(format!(
-            "{}: {} × {} pixels in {} ({} rays)\n",
+            "{}: {} × {} pixels in {} ({} rays){denoised}\n",
             path.display(),
             done.region.width,
             done.region.height,
@@ -198,6 +253,8 @@ struct Done {
     rays: u64,
     is_complete: bool,
     elapsed: Elapsed,
+    /// What the file says of its denoising, or why there was none. None: nobody asked for it.
+    denoised: Option<Result<(String, String), DenoiseError>>,
 }
 
 impl Done {
@@ -210,10 +267,17 @@ impl Done {
     }
 }
 
-fn save(path: &Path, film: Film, done: &Done, mut options: WriteOptions) -> Result<(), Failure> {
+/// The end of a render whose picture is saved and was not denoised.
+fn kept_its_noise(error: &DenoiseError) -> Failure {
+    let report = Report::error(format!("the picture is saved with its noise: {error}"));
+    Failure::new(Exit::Failed, report.with_help(error.help()))
+}
+
+fn save(path: &Path, image: &Image, done: &Done, mut options: WriteOptions) -> Result<(), Failure> {
     if !done.is_complete {
         options.metadata.push(("vitrine:complete".into(), "false".into()));
     }
-    formats::write_image(path, &film.into_image(), &options)?;
+    options.metadata.extend(done.denoised().cloned());
+    formats::write_image(path, image, &options)?;
     Ok(())
 }

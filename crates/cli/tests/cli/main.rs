@@ -2,6 +2,7 @@
 
 mod bad_input;
 mod bench;
+mod denoise;
 mod help;
 mod inspect;
 mod interrupt;

@@ -3,8 +3,8 @@
 use super::{ImageFormat, WriteOptions, one_line};
 use exr::meta::attribute::Chromaticities;
 use exr::prelude::{
-    AttributeValue, Encoding, Error, Image as ExrImage, Layer, LayerAttributes, MetaData, ReadChannels,
-    ReadLayers, ReadSpecificChannel, SpecificChannels, Text, Vec2, WritableImage, read,
+    AnyChannel, AnyChannels, AttributeValue, Encoding, Error, FlatSamples, Image as ExrImage, Layer,
+    LayerAttributes, MetaData, ReadChannels, ReadLayers, Text, Vec2, WritableImage, read,
 };
 use std::io::Cursor;
 use vitrine_film::Image;
@@ -14,13 +14,30 @@ use vitrine_math::Rgb;
 pub const FORMAT: ImageFormat = ImageFormat { name: "OpenEXR", extensions: &["exr"], encode };
 
 fn encode(image: &Image, options: &WriteOptions) -> Result<Vec<u8>, String> {
-    let [width, height] = image.size.map(|s| s as usize);
-    let channels = SpecificChannels::rgb(|place: Vec2<usize>| {
-        let p = image.pixels[place.y() * width + place.x()];
-        (p.r, p.g, p.b)
-    });
-    let encoding = Encoding::SMALL_LOSSLESS;
-    let layer = Layer::new((width, height), LayerAttributes::default(), encoding, channels);
+    encode_channels(image.size, light(image), options)
+}
+
+/// Red, green and blue.
+pub fn light(image: &Image) -> Vec<AnyChannel<FlatSamples>> {
+    ["R", "G", "B"].into_iter().zip(planes(image)).map(|(name, plane)| AnyChannel::new(name, plane)).collect()
+}
+
+/// The three channels of a picture, each by itself.
+pub fn planes(image: &Image) -> [FlatSamples; 3] {
+    let plane = |i: usize| image.pixels.iter().map(|p| p.to_array()[i]).collect();
+    [0, 1, 2].map(|i| FlatSamples::F32(plane(i)))
+}
+
+/// A file with these channels, all of the picture's size.
+pub fn encode_channels(
+    size: [u32; 2],
+    channels: Vec<AnyChannel<FlatSamples>>,
+    options: &WriteOptions,
+) -> Result<Vec<u8>, String> {
+    let size = size.map(|s| s as usize);
+    let channels = AnyChannels::sort(channels.into());
+    let layer =
+        Layer::new((size[0], size[1]), LayerAttributes::default(), Encoding::SMALL_LOSSLESS, channels);
     let mut picture = ExrImage::from_layer(layer);
     // Rec. 709 with the white of D65.
     picture.attributes.chromaticities = Some(Chromaticities {

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 use std::time::Duration;
-use vitrine::WriteOptions;
+use vitrine::{WriteOptions, display_of};
 use vitrine::formats::BitDepth;
 use vitrine::scene::{Renderer, Settings};
 
@@ -83,7 +83,7 @@ impl SavePictureRequest {
     #[must_use]
     pub fn write_options(&self, metadata: Vec<(String, String)>) -> WriteOptions {
         let bits = if self.format == PictureFormat::Png16 { BitDepth::Sixteen } else { BitDepth::Eight };
-        WriteOptions { bits, metadata, ..WriteOptions::default() }
+        WriteOptions { bits, metadata, display: display_of(&self.settings), ..WriteOptions::default() }
     }
 }
 
