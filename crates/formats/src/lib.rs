@@ -17,7 +17,6 @@ pub use image_file::{
     read_exr_features, read_panorama, read_picture, write_image, write_layers,
 };
 pub use mesh_file::{MESH_FORMATS, read_mesh};
-pub use state_file::{RenderState, read_state, write_state};
 pub use scene_file::{Finding, SceneFile, SceneFileError};
 pub use state_file::{RenderState, read_state, write_state};
 

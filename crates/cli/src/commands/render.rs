@@ -263,7 +263,13 @@ impl Done {
         let Made { rendered, elapsed } = made;
         let is_complete = rendered.is_complete();
         let Rendered { film, rays, .. } = rendered;
-        (Self { region: film.region(), samples: film.samples(), rays, is_complete, elapsed }, film)
+        let (region, samples) = (film.region(), film.samples());
+        (Self { region, samples, rays, is_complete, elapsed, denoised: None }, film)
+    }
+
+    /// Key and text for the picture's file.
+    fn denoised(&self) -> Option<&(String, String)> {
+        self.denoised.as_ref()?.as_ref().ok()
     }
 }
 

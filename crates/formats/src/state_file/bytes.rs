@@ -3,8 +3,8 @@
 /// Bytes of the checksum.
 const CHECKSUM: usize = 8;
 
-/// FNV-1a (Fowler, Noll, Vo) over words of 8 bytes, the last filled up with zeros, and the length: finds files that are cut off or
-/// damaged by chance.
+/// As FNV-1a (Fowler, Noll, Vo), but over words of 8 bytes, each turned so that its high bits count for all; the last is filled up
+/// with zeros, and the length follows. It finds files that are cut off or damaged by chance.
 fn checksum(bytes: &[u8]) -> u64 {
     const BASIS: u64 = 0xcbf2_9ce4_8422_2325;
     const PRIME: u64 = 0x0000_0100_0000_01b3;

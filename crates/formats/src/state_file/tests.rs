@@ -82,6 +82,9 @@ fn a_header_that_claims_more_than_there_is_allocates_nothing() {
             let mut changed = bytes.clone();
             changed[place..place + 4].copy_from_slice(&value.to_le_bytes());
             mend_checksum(&mut changed);
+            if changed == bytes {
+                continue;
+            }
             if let Ok(read) = parse(&changed) {
                 // The corner of the region may be anywhere.
                 assert!((28..36).contains(&place), "{place} {value}: {:?}", read.film.region());

@@ -7,6 +7,7 @@ use vitrine_math::Rgb;
 use vitrine_optics::absorption;
 use vitrine_optics::bsdf::{Bsdf, Surface};
 use vitrine_optics::dispersion::Cauchy;
+use vitrine_optics::metals::MeasuredMetal;
 use vitrine_scene::{Material, Metal, PhysicalMaterial};
 
 /// The textures beside the colour's, by what they scale.
@@ -175,14 +176,14 @@ fn surface_of(m: &PhysicalMaterial) -> Surface {
 
 /// The measured index of a metal, n and k.
 fn index_of(metal: Metal) -> (Rgb, Rgb) {
-    use vitrine_optics::metals;
     match metal {
-        Metal::Gold => metals::GOLD,
-        Metal::Copper => metals::COPPER,
-        Metal::Silver => metals::SILVER,
-        Metal::Aluminium => metals::ALUMINIUM,
-        Metal::Chrome => metals::CHROME,
+        Metal::Gold => MeasuredMetal::Gold,
+        Metal::Copper => MeasuredMetal::Copper,
+        Metal::Silver => MeasuredMetal::Silver,
+        Metal::Aluminium => MeasuredMetal::Aluminium,
+        Metal::Chrome => MeasuredMetal::Chrome,
     }
+    .index()
 }
 
 /// What a solid is filled with.
