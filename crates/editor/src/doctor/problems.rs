@@ -3,7 +3,7 @@
 use super::closed::is_closed;
 use super::{Diagnosis, diagnose};
 use crate::document::{Document, EditCommand, Message, Thing, missing, problem};
-use vitrine::scene::{Assets, Cause, Geometry, Object, Scene, Severity};
+use vitrine::scene::{Assets, Cause, Geometry, Material, Object, Scene, Severity};
 
 /// One line of the list.
 #[derive(Clone, Debug, PartialEq)]
@@ -93,8 +93,8 @@ fn is_open_glass(object: &Object, scene: &Scene, assets: &Assets) -> bool {
         _ => return false,
     };
     let passes = match object.material.as_deref() {
-        Some(name) => scene.material(name).is_some_and(|m| m.classic().transparency > 0.0),
-        None => mesh.materials.iter().any(|m| m.material.classic().transparency > 0.0),
+        Some(name) => scene.material(name).is_some_and(Material::is_solid_glass),
+        None => mesh.materials.iter().any(|m| m.material.is_solid_glass()),
     };
     passes && !is_closed(&mesh)
 }

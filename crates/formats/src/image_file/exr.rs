@@ -4,7 +4,7 @@ use super::{ImageFormat, WriteOptions, one_line};
 use exr::meta::attribute::Chromaticities;
 use exr::prelude::{
     AttributeValue, Encoding, Error, Image as ExrImage, Layer, LayerAttributes, MetaData, ReadChannels,
-    ReadLayers, ReadSpecificChannel, SpecificChannels, Text, Vec2, WritableImage, read,
+    ReadLayers, SpecificChannels, Text, Vec2, WritableImage, read,
 };
 use std::io::Cursor;
 use vitrine_film::Image;
