@@ -158,6 +158,13 @@ impl Scene {
         problems
     }
 
+    /// Whether there is light without any lamp: the photoreal renderer shows materials that shine by themselves.
+    #[must_use]
+    pub fn shines_without_lights(&self) -> bool {
+        self.settings.renderer == Renderer::Photoreal
+            && self.materials.iter().any(|m| m.emission_luminance.is_some_and(|l| l > 0.0))
+    }
+
     fn check_references(&self, problems: &mut Vec<Problem>) {
         let known = ListName::ALL.map(|l| (l, self.names(l).collect::<std::collections::HashSet<_>>()));
         for list in ListName::ALL {
@@ -229,9 +236,7 @@ impl Scene {
         let mut warn = |owner, cause| {
             problems.push(Problem { severity: Severity::Warning, place: Place { owner, key: None }, cause });
         };
-        let shines = self.settings.renderer == Renderer::Photoreal
-            && self.materials.iter().any(|m| m.emission_luminance.is_some_and(|l| l > 0.0));
-        if !shines && !self.lights.iter().any(|l| l.visible && l.intensity > 0.0) {
+        if !self.shines_without_lights() && !self.lights.iter().any(|l| l.visible && l.intensity > 0.0) {
             warn(None, Cause::NoLight);
         }
         let places = self.group_places();

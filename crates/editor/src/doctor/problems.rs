@@ -83,7 +83,11 @@ fn missing_files(scene: &Scene, assets: &Assets) -> Vec<ProblemLine> {
         .objects
         .iter()
         .map(|o| line("problem-missing-model", o.shape.as_kind().file(), Thing::object(&o.name)));
-    pictures.chain(models).collect()
+    let panoramas = missing
+        .lights
+        .iter()
+        .map(|l| line("problem-missing-picture", l.source.as_kind().file(), Thing::light(&l.name)));
+    pictures.chain(models).chain(panoramas).collect()
 }
 
 /// Whether an object is a model with holes, of a material that lets light through.
