@@ -19,6 +19,7 @@ mod placement;
 mod scene;
 mod settings;
 pub mod shapes;
+mod solids;
 mod suggest;
 pub mod textures;
 
