@@ -118,6 +118,31 @@ impl Around {
         })
     }
 
+    /// The spread of the path along `legs` that leaves the receiver with Bouguer's constant `b`. It is known to hit the
+    /// light up to rounding, so near the axis the angle between the ends follows from b better than from the ends.
+    pub(super) fn known_spread(&self, legs: &Legs, b: f64) -> f64 {
+        let legs = legs.as_slice();
+        let mut slope = 0.0;
+        let mut from = self.rx;
+        for leg in legs {
+            // By b, asin(b/a) grows by 1/√(a²−b²).
+            let rate = |rho: f64| {
+                let a = leg.n * rho;
+                if a.is_finite() { 1.0 / ((a - b) * (a + b)).max(0.0).sqrt() } else { 0.0 }
+            };
+            slope += match leg.run {
+                Run::In => rate(leg.to) - rate(from),
+                Run::Out => rate(from) - rate(leg.to),
+                Run::Through => -(rate(from) + rate(leg.to)),
+            };
+            from = leg.to;
+        }
+        let (first, last) = (legs[0].n, legs[legs.len() - 1].n);
+        let (cx, cy) = (angle(b, first, self.rx).1, angle(b, last, self.ry).1);
+        let sin = if (b * slope).abs() < 1e-3 { 0.0 } else { self.sin };
+        self.spread((first, cx, cy), sin, &Root { b, side: 1.0, slope })
+    }
+
     /// Adds all chains along `legs` with b of at least `low` to `out`.
     pub(super) fn connect(&self, legs: &Legs, low: f64, out: &mut Chains) {
         let legs = legs.as_slice();
@@ -164,7 +189,7 @@ impl Around {
         // At the light the leg is seen backwards: it leaves outwards where it came in.
         let wx = self.x * (cx * inwards(first.run, Run::Out)) + self.ex * (sx * root.side);
         let wy = self.y * (cy * inwards(last.run, Run::In)) + self.ey * (sy * root.side);
-        let mut chain = Chain::new(wx, wy, self.spread(first.n, cx, cy, root));
+        let mut chain = Chain::new(wx, wy, self.spread((first.n, cx, cy), self.sin, root));
         // The direction from the centre, in the plane of the path.
         let (mut u, mut v) = (1.0, 0.0);
         let mut from = self.rx;
@@ -177,11 +202,12 @@ impl Around {
         chain
     }
 
-    /// dω_x/dA⊥, or dω_x/dω_y for a distant light; `cx` and `cy` are the cosines of the path with the radius at the ends.
-    fn spread(&self, nx: f64, cx: f64, cy: f64, root: &Root) -> f64 {
+    /// dω_x/dA⊥, or dω_x/dω_y for a distant light; `cx` and `cy` are the cosines of the path with the radius at the ends
+    /// and `sin` is sin Δ.
+    fn spread(&self, (nx, cx, cy): (f64, f64, f64), sin: f64, root: &Root) -> f64 {
         let bend = root.slope.abs();
         // b/(sin Δ |Θ'|); on the axis sin Δ → b |Θ'|
-        let ring = if self.sin < ON_AXIS { 1.0 / (bend * bend) } else { root.b / (self.sin * bend) };
+        let ring = if sin < ON_AXIS { 1.0 / (bend * bend) } else { root.b / (sin * bend) };
         let x = nx * self.rx;
         let y = if self.ry.is_finite() { self.ry * self.ry * cy } else { 1.0 };
         // |b|/(n_x² r_x² cos α_x r_y² cos α_y sin Δ |Θ'|)

@@ -18,6 +18,7 @@
 use vitrine_math::DVec3;
 
 mod around;
+pub mod faces;
 pub mod planes;
 mod radial;
 pub mod shells;

@@ -32,6 +32,20 @@ pub enum Way {
     Within(u32),
 }
 
+impl Way {
+    /// Whether the receiver is inside, whether the light is, and the number of reflections inside.
+    #[inline]
+    fn sides(self) -> (bool, bool, u32) {
+        match self {
+            Way::Off => (false, false, 0),
+            Way::Across(k) => (false, false, k),
+            Way::Out(k) => (true, false, k),
+            Way::In(k) => (false, true, k),
+            Way::Within(k) => (true, true, k),
+        }
+    }
+}
+
 /// Adds every chain that goes the given way between `x` and the light to `out`.
 ///
 /// All solutions are found: at most 1 for reflection, 3 straight through, 4 and 5 for the first two rainbows are what
@@ -39,13 +53,7 @@ pub enum Way {
 /// centre in one line, of the solutions only the straight one counts: the others are rings, which have no finite spread.
 pub fn connect(x: DVec3, target: Target, ball: &Ball, way: Way, out: &mut Chains) {
     let Some(mut around) = Around::new(x, target, ball.center, ball.radius) else { return };
-    let (x_inside, y_inside, order) = match way {
-        Way::Off => (false, false, 0),
-        Way::Across(k) => (false, false, k),
-        Way::Out(k) => (true, false, k),
-        Way::In(k) => (false, true, k),
-        Way::Within(k) => (true, true, k),
-    };
+    let (x_inside, y_inside, order) = way.sides();
     let (Some(rx), Some(ry)) =
         (on_side(around.rx, ball.radius, x_inside), on_side(around.ry, ball.radius, y_inside))
     else {
@@ -62,6 +70,47 @@ pub fn connect(x: DVec3, target: Target, ball: &Ball, way: Way, out: &mut Chains
             }
         }
     }
+}
+
+/// A path that a ray has found: how it leaves the receiver and how it comes to the light.
+#[derive(Clone, Copy, Debug)]
+pub struct Known {
+    /// The receiver.
+    pub x: DVec3,
+    /// The unit direction there towards the first vertex.
+    pub wx: DVec3,
+    /// The light.
+    pub target: Target,
+    /// The unit direction at the light towards the last vertex.
+    pub wy: DVec3,
+}
+
+/// The spread of a path through a ball that is known already, in 1/m² (without a unit for a distant light): no root is
+/// searched. None where it is not finite, at the caustic.
+#[must_use]
+pub fn spread_of(known: &Known, ball: &Ball, way: Way) -> Option<f64> {
+    let mut around = Around::new(known.x, known.target, ball.center, ball.radius)?;
+    let (x_inside, y_inside, order) = way.sides();
+    around.rx = if x_inside { around.rx.min(ball.radius) } else { around.rx.max(ball.radius) };
+    around.ry = if y_inside { around.ry.min(ball.radius) } else { around.ry.max(ball.radius) };
+    // Inside, the path leaves an end outwards or towards the middle first.
+    let leaves = |p: DVec3, w: DVec3| w.dot(p - ball.center) > 0.0;
+    let first = match (x_inside, leaves(known.x, known.wx)) {
+        (false, _) => Run::In,
+        (true, true) => Run::Out,
+        (true, false) => Run::Through,
+    };
+    let last = match (y_inside, known.target) {
+        (true, Target::Point(y)) if leaves(y, known.wy) => Run::In,
+        (true, _) => Run::Through,
+        (false, _) => Run::Out,
+    };
+    let legs = legs(ball, way, order, (first, last), around.ry)?;
+    let n = if x_inside { ball.eta } else { 1.0 };
+    // Bouguer: b = n ρ sin(angle with the radius)
+    let b = n * (known.x - ball.center).cross(known.wx).length();
+    let spread = around.known_spread(&legs, b);
+    (spread.is_finite() && spread >= 0.0).then_some(spread)
 }
 
 /// The legs of one way; None if it has too many.
@@ -83,7 +132,7 @@ fn legs(ball: &Ball, way: Way, order: u32, (first, last): (Run, Run), ry: f64) -
         }
     }
     match way {
-        Way::Across(_) => chords += 1,
+        Way::Across(_) => chords = order.checked_add(1)?,
         // The last reflection is followed by the light.
         Way::Within(_) => chords = chords.checked_sub(1)?,
         _ => {}

@@ -169,35 +169,33 @@ pub(super) fn steepness(chain: &Chain, events: &[Event]) -> f64 {
     least
 }
 
-/// Looks for chains that a search has missed: sends rays from `x` in many directions, neighbours one after the other,
-/// and counts the pairs between which the light is passed and no chain starts. None where nothing was seen to test.
+/// Looks for chains that a search has missed: sends rays from `x` in many directions, neighbours one after the other, as
+/// `trace` follows them. Returns between how many neighbours the light is passed, and where no chain starts.
 pub(super) fn missed_chains(
-    (x, target): (DVec3, Target),
+    target: Target,
     chains: &[Chain],
-    events: &[Event],
     directions: impl Iterator<Item = DVec3>,
-    (across, ahead): (DVec3, f64),
+    across: DVec3,
+    trace: impl Fn(DVec3) -> Option<(DVec3, DVec3)>,
 ) -> (usize, usize) {
     let (mut seen, mut missed) = (0, 0);
     let mut last: Option<(DVec3, f64)> = None;
     for w in directions {
-        let now = follow(x, w, events).and_then(|(p, out)| {
+        let now = trace(w).and_then(|(p, out)| {
             let d = match target {
                 Target::Point(y) => y - p,
                 Target::Distant(w) => w,
             };
             // On which side of the ray the light lies, if the ray goes its way.
-            (out.dot(d) > ahead * d.length()).then(|| (w, across.dot(out.cross(d))))
+            (out.dot(d) > 0.0).then(|| (w, across.dot(out.cross(d))))
         });
         if let (Some((w0, s0)), Some((w1, s1))) = (last, now)
             && s0 * s1 < 0.0
         {
             seen += 1;
-            // The chain starts between the two directions.
+            let slack = 1e-9;
             let between = |c: &Chain| {
-                let slack = 1e-9;
                 w0.cross(c.wx).dot(across) * w1.cross(c.wx).dot(across) <= slack
-                    && c.wx.dot(w0 + w1) > 0.0
                     && (c.wx - w0).length() <= (w1 - w0).length() * (1.0 + 1e-6) + slack
             };
             if !chains.iter().any(between) {

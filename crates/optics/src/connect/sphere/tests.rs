@@ -2,8 +2,10 @@
 
 use vitrine_math::DVec3;
 
-use super::super::MAX_CHAINS;
-use super::super::trial::{Dice, Event, Surface, event, measured_spread, miss, missed_chains, steepness};
+use super::super::trial::{
+    Dice, Event, Surface, event, follow, measured_spread, miss, missed_chains, steepness,
+};
+use super::super::{Chain, MAX_CHAINS};
 use super::*;
 
 /// A ball with a place for each end.
@@ -132,8 +134,9 @@ fn scan(way: Way, dice: &mut Dice, places: u32, rays: u32) -> usize {
         connect(x, target, &ball, way, &mut out);
         most = most.max(out.as_slice().len());
         let (directions, across) = fan(x, toward, &ball, rays);
-        let (roots, missed) =
-            missed_chains((x, target), out.as_slice(), &events(&ball, way), directions, (across, 0.0));
+        let events = events(&ball, way);
+        let trace = |w| follow(x, w, &events);
+        let (roots, missed) = missed_chains(target, out.as_slice(), directions, across, trace);
         assert_eq!(
             missed,
             0,
@@ -161,5 +164,152 @@ fn no_chain_is_missed_by_a_close_look() {
     for way in WAYS {
         let seen = scan(way, &mut dice, 1000, 2000);
         assert!(seen > 300, "{way:?}: {seen}");
+    }
+}
+
+#[test]
+fn a_known_path_has_the_spread_that_the_search_gives() {
+    let mut dice = Dice(5);
+    let mut out = Chains::default();
+    for way in WAYS {
+        for k in 0..1000 {
+            let ball = ball(&mut dice, true);
+            let (x, y) = ends(&mut dice, &ball, way);
+            let target = Target::Point(y);
+            out.clear();
+            connect(x, target, &ball, way, &mut out);
+            for chain in out.as_slice() {
+                let known = Known { x, wx: chain.wx, target, wy: chain.wy };
+                let spread = spread_of(&known, &ball, way).unwrap();
+                let error = (spread / chain.spread - 1.0).abs();
+                let steep = steepness(chain, &events(&ball, way));
+                assert!(error < 1e-5 || steep < 1e-2, "{way:?} {k}: {spread} against {}", chain.spread);
+            }
+        }
+    }
+}
+
+/// The only chain.
+fn only(x: DVec3, target: Target, ball: &Ball, way: Way) -> Chain {
+    let mut out = Chains::default();
+    connect(x, target, ball, way, &mut out);
+    assert_eq!(out.as_slice().len(), 1, "{way:?} {x} {target:?}");
+    out.as_slice()[0]
+}
+
+#[test]
+fn exchanging_the_ends_keeps_n2_times_the_spread() {
+    let mut dice = Dice(6);
+    let (mut there, mut back) = (Chains::default(), Chains::default());
+    for (way, reverse) in [
+        (Way::Off, Way::Off),
+        (Way::Across(0), Way::Across(0)),
+        (Way::Across(1), Way::Across(1)),
+        (Way::Out(0), Way::In(0)),
+        (Way::Out(1), Way::In(1)),
+        (Way::Within(2), Way::Within(2)),
+    ] {
+        for _ in 0..500 {
+            let ball = ball(&mut dice, true);
+            let (x, y) = ends(&mut dice, &ball, way);
+            there.clear();
+            back.clear();
+            connect(x, Target::Point(y), &ball, way, &mut there);
+            connect(y, Target::Point(x), &ball, reverse, &mut back);
+            assert_eq!(there.as_slice().len(), back.as_slice().len());
+            let index = |inside: bool| if inside { ball.eta } else { 1.0 };
+            let (nx, ny) = (index(way.sides().0), index(way.sides().1));
+            for a in there.as_slice() {
+                // n_x² dω_x/dA_y = n_y² dω_y/dA_x
+                let twin = |b: &&Chain| (a.wx - b.wy).length() + (a.wy - b.wx).length() < 1e-6;
+                let b = back.as_slice().iter().find(twin).unwrap();
+                let error = (nx * nx * a.spread / (ny * ny * b.spread) - 1.0).abs();
+                assert!(error < 1e-6 || a.spread > 1e3, "{way:?} {} {}", a.spread, b.spread);
+                let turned = b.vertices().iter().rev();
+                assert!(a.vertices().iter().zip(turned).all(|(p, q)| (p - q).length() < 1e-6));
+            }
+        }
+    }
+}
+
+#[test]
+fn near_the_axis_a_ball_is_the_lens_of_the_textbook() {
+    // Light along the axis is bent to a focus at nR/(2(n−1)) from the centre: the ray at the height h meets the axis there.
+    let ball = Ball { center: DVec3::new(1.0, 2.0, 3.0), radius: 0.7, eta: 1.5 };
+    let focal = ball.eta * ball.radius / (2.0 * (ball.eta - 1.0));
+    for distance in [2.0, 5.0] {
+        let x = ball.center - DVec3::X * distance * ball.radius;
+        let chain = only(x, Target::Distant(DVec3::X), &ball, Way::Across(0));
+        assert!((chain.wx - DVec3::X).length() < 1e-15);
+        // A bundle that leaves x within dω arrives as (1 − r_x/f)² as wide a bundle of directions.
+        let magnified = 1.0 - distance * ball.radius / focal;
+        assert!((chain.spread * magnified * magnified - 1.0).abs() < 1e-12, "{}", chain.spread);
+        // Off the axis by a hair it is the same.
+        let near = only(x, Target::Distant(DVec3::new(1.0, 1e-7, 0.0).normalize()), &ball, Way::Across(0));
+        assert!((near.spread / chain.spread - 1.0).abs() < 1e-6);
+    }
+    // Sun behind a ball, r_x = 2R: (1−F₀)⁴ (1−r_x/f)^−2 with F₀ = 0.04 is the concentration 8.29 before two losses.
+    let chain =
+        only(ball.center - DVec3::X * 2.0 * ball.radius, Target::Distant(DVec3::X), &ball, Way::Across(0));
+    assert!((chain.spread * 0.96 * 0.96 - 8.29).abs() < 0.01, "{}", chain.spread);
+}
+
+#[test]
+fn the_apparent_depth_in_a_ball_seen_along_a_radius_is_gullstrands() {
+    // 1/s' = n/s·… for one surface: n/s + (1−n)/R = 1/s' with s the depth below the pole, seen from outside.
+    let ball = Ball { center: DVec3::ZERO, radius: 1.0, eta: 1.333 };
+    let (s, far) = (0.4, 3.0);
+    let (x, y) = (DVec3::Z * (1.0 + far), DVec3::Z * (1.0 - s));
+    let chain = only(x, Target::Point(y), &ball, Way::In(0));
+    let image = 1.0 / (ball.eta / s + (1.0 - ball.eta) / 1.0);
+    // Seen from x the light stands at the depth s' and is larger by n s'/s.
+    let expected = (ball.eta * image / s / (far + image)).powi(2);
+    assert!((chain.spread / expected - 1.0).abs() < 1e-12, "{} {expected}", chain.spread);
+}
+
+#[test]
+fn places_without_a_single_answer_give_sound_chains_or_none() {
+    let ball = Ball { center: DVec3::new(0.5, 0.0, 0.0), radius: 1.0, eta: 1.5 };
+    let on = |d: DVec3| ball.center + d;
+    let places = [
+        on(DVec3::ZERO),
+        on(DVec3::X),
+        on(-DVec3::X),
+        on(DVec3::Y),
+        on(DVec3::X * 2.0),
+        on(DVec3::X * -2.0),
+        on(DVec3::X * 0.5),
+        on(DVec3::X * -0.5),
+        on(DVec3::new(-2.0, 1.0, 0.0)),
+        on(DVec3::new(2.0, 1.0, 0.0)),
+        on(DVec3::new(1e-12, 0.0, 1.0)),
+        on(DVec3::new(1.0, 1e-14, 0.0)),
+        on(DVec3::new(-2.0, 1e-13, 1e-15)),
+        on(DVec3::X * 1e12),
+        DVec3::NAN,
+        DVec3::INFINITY,
+    ];
+    let mut out = Chains::default();
+    for eta in [1.5, 1.0, 1.0 / 1.5, 1.0 + 1e-12] {
+        let ball = Ball { eta, ..ball };
+        for way in WAYS.into_iter().chain([Way::Within(0), Way::Across(14), Way::Across(u32::MAX)]) {
+            for x in places {
+                let lights = places.iter().map(|&y| Target::Point(y));
+                for target in lights.chain([DVec3::X, DVec3::Y, -DVec3::X, DVec3::NAN].map(Target::Distant)) {
+                    out.clear();
+                    connect(x, target, &ball, way, &mut out);
+                    for c in out.as_slice() {
+                        assert!(c.is_sound(), "{way:?} {x} {target:?} {c:?}");
+                        assert!(
+                            (c.wx.length() - 1.0).abs() < 1e-9 && (c.wy.length() - 1.0).abs() < 1e-9,
+                            "{way:?} {eta} {x} {target:?} {} {}",
+                            c.wx,
+                            c.wy
+                        );
+                        assert!(c.vertices().iter().all(|p| ((p - ball.center).length() - 1.0).abs() < 1e-9));
+                    }
+                }
+            }
+        }
     }
 }
