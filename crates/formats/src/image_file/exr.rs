@@ -3,8 +3,8 @@
 use super::{ImageFormat, WriteOptions, one_line};
 use exr::meta::attribute::Chromaticities;
 use exr::prelude::{
-    AttributeValue, Encoding, Error, Image as ExrImage, Layer, LayerAttributes, MetaData, ReadChannels,
-    ReadLayers, SpecificChannels, Text, Vec2, WritableImage, read,
+    AnyChannel, AnyChannels, AttributeValue, Encoding, Error, FlatSamples, Image as ExrImage, Layer,
+    LayerAttributes, MetaData, ReadChannels, ReadLayers, Text, Vec2, WritableImage, read,
 };
 use std::io::Cursor;
 use vitrine_film::Image;
