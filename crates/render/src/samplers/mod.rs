@@ -1,5 +1,9 @@
 //! Sample points as pure functions of (pixel, sample, dimension, seed): the same for any number of threads.
 
+mod path;
+
+pub use path::PathSampler;
+
 use vitrine_math::hash;
 
 /// Where in its pixel a sample lies, from 0 to 1 on both axes. Sample 0 is the middle, all others fill the pixel evenly around
@@ -51,7 +55,7 @@ const fn bits_of_first_sixteen(second: bool) -> [u32; 16] {
 }
 
 /// The second dimension of Sobol's sequence.
-const fn sobol_second(mut index: u32) -> u32 {
+pub(crate) const fn sobol_second(mut index: u32) -> u32 {
     let mut direction = 1_u32 << 31;
     let mut result = 0;
     while index != 0 {
