@@ -8,6 +8,7 @@ mod compile;
 mod error;
 mod integrators;
 mod job;
+pub mod lights;
 mod pick;
 mod samplers;
 mod surface;
