@@ -8,7 +8,7 @@ mod compile;
 mod error;
 mod integrators;
 mod job;
-mod lights;
+pub mod lights;
 mod pick;
 mod samplers;
 mod surface;

@@ -4,7 +4,7 @@ use super::geometry::{Form, Primitive};
 use super::physical::{CompiledPhysical, is_thin};
 use super::solids::{Candidate, Solids};
 use crate::integrators::CompiledMedia;
-use crate::lights::{Emitter, EmitterShape, Lamp, Lights};
+use crate::lights::{Emitter, EmitterForm, LampSpec, Lights};
 use vitrine_math::{Bounds3, Rgb, Vec3};
 use vitrine_scene::Light;
 use vitrine_scene::lights::Emission;
@@ -55,7 +55,7 @@ impl Photoreal {
         let reach = size + (parts.camera - middle).length();
         let has_dispersion = solids.iter().any(|(_, s)| s.substance.is_dispersive);
         Self {
-            lights: Lights::new(lamps(parts, middle), emitters(parts)),
+            lights: Lights::new(&lamps(parts, middle), &emitters(parts)),
             passes_sheets: parts.primitives.iter().any(is_sheet) || solids.iter().count() > 1,
             has_dispersion,
             solids,
@@ -82,7 +82,7 @@ fn solids<'a>(parts: &'a Parts) -> impl Iterator<Item = Candidate<'a>> {
 }
 
 /// The scene's lights.
-fn lamps(parts: &Parts, middle: Vec3) -> Vec<Lamp> {
+fn lamps(parts: &Parts, middle: Vec3) -> Vec<LampSpec> {
     let lamp = |(emission, radiance, index): &(Emission, Rgb, usize)| {
         let full_at = parts.lights[*index].full_at;
         let position = match emission {
@@ -93,7 +93,7 @@ fn lamps(parts: &Parts, middle: Vec3) -> Vec<Lamp> {
         };
         // A lamp in the very middle of things shines on what is a metre away.
         let away = position.map(|p| (p - middle).length()).filter(|d| *d > 1e-3).unwrap_or(1.0);
-        Lamp { emission: emission.clone(), radiance: *radiance, full_at: full_at.unwrap_or(away) }
+        LampSpec { emission: emission.clone(), radiance: *radiance, full_at: full_at.unwrap_or(away) }
     };
     parts.emissions.iter().map(lamp).collect()
 }
@@ -106,27 +106,30 @@ fn emitters(parts: &Parts) -> Vec<Emitter> {
         if materials.iter().all(|m| m.emission == Rgb::BLACK) {
             continue;
         }
-        let mut add = |shape: EmitterShape, triangle: u32| {
+        let mut add = |form: EmitterForm, triangle: u32| {
             let material = &parts.physical[primitive.material_of(triangle) as usize];
             // A texture makes some of it brighter; how bright on average is not worth finding out.
             if material.emission != Rgb::BLACK {
-                emitters.push(Emitter { shape, radiance: material.emission, primitive: id, triangle });
+                let (radiance, primitive) = (material.emission, id);
+                emitters.push(Emitter { form, radiance, is_two_sided: false, primitive, triangle });
             }
         };
         match &primitive.form {
             Form::Sphere { center, radius } => {
-                add(EmitterShape::Sphere { center: *center, radius: *radius }, 0);
+                add(EmitterForm::Sphere { center: *center, radius: *radius }, 0);
             }
-            Form::Triangle { points, .. } => add(EmitterShape::Triangle { points: *points }, 0),
+            Form::Ellipsoid { unit } => add(EmitterForm::Ellipsoid { unit: *unit }, 0),
+            Form::Box { unit } => add(EmitterForm::Box { unit: *unit }, 0),
+            Form::Disc { unit, n } => add(EmitterForm::Disc { unit: *unit, n: *n }, 0),
+            Form::Triangle { points, .. } => add(EmitterForm::Triangle { points: *points }, 0),
             Form::Mesh { mesh, .. } => {
                 for (triangle, corners) in (0..).zip(&mesh.triangles) {
                     let points = corners.map(|c| primitive.transform.point(mesh.positions[c as usize]));
-                    add(EmitterShape::Triangle { points }, triangle);
+                    add(EmitterForm::Triangle { points }, triangle);
                 }
             }
-            Form::Box { unit } => add(EmitterShape::Box { unit: *unit }, 0),
-            // They shine, and are found by chance alone: an ellipsoid, a disc, a plane without end.
-            Form::Disc { .. } | Form::Ellipsoid { .. } | Form::Plane { .. } => {}
+            // It shines, and is found by chance alone: no point of a plane without end can be chosen.
+            Form::Plane { .. } => {}
         }
     }
     emitters

@@ -1,96 +1,359 @@
-//! STUB
-use vitrine_math::{Frame, Ray, Rgb, Transform, Vec3};
+//! What shines in photoreal pictures: lamps, objects of glowing materials, sun, sky, panoramas. The register of lights, which chooses
+//! one of them and a point of it, and tells with what density it would have chosen another.
+//!
+//! Lights with a place are chosen in proportion to about what they bring to the point that is lit, one by one where they are few, in a
+//! tree where they are many; all distant light has a share of that choice. Light that reaches a surface from behind its normal is
+//! not chosen: for what lets light through, no normal is given.
+//!
+//! How bright a lamp is: a white surface that faces it at the distance [`LampSpec::full_at`] shows its intensity I, which is what the
+//! classic renderer shows at any distance. So the irradiance there is π·I, and a point has the radiant intensity π·I·d².
+
+mod bound;
+mod cuboid;
+mod disc;
+mod distant;
+mod ellipsoid;
+mod emitters;
+mod environment;
+mod form;
+mod inversion;
+mod lamps;
+mod sky;
+mod sphere;
+mod sun;
+#[cfg(test)]
+mod tests;
+mod tree;
+mod triangle;
+
+pub use emitters::{Emitter, EmitterForm};
+pub use lamps::LampHit;
+
+use bound::Bound;
+use disc::Plate;
+use distant::DistantLights;
+use emitters::EmitterTable;
+use form::Form;
+use lamps::{Lamp, LampForm, Lamps};
+use std::f32::consts::PI;
+use tree::LightTree;
+use vitrine_math::{Ray, Rgb, Vec3, hash};
 use vitrine_scene::lights::Emission;
 
-pub struct Lamp { pub emission: Emission, pub radiance: Rgb, pub full_at: f32 }
-pub enum EmitterShape { Sphere { center: Vec3, radius: f32 }, Triangle { points: [Vec3; 3] }, Box { unit: Transform } }
-pub struct Emitter { pub shape: EmitterShape, pub radiance: Rgb, pub primitive: u32, pub triangle: u32 }
-#[derive(Clone, Copy, Debug)]
-pub enum LightPoint { Point { position: Vec3 }, Surface { position: Vec3, n: Vec3, two_sided: bool }, Distant { toward: Vec3 } }
-#[derive(Clone, Copy, Debug)]
-pub struct LightSample { pub light: u32, pub at: LightPoint, pub le: Rgb, pub pdf: f32, pub is_delta: bool }
-#[derive(Clone, Copy, Debug)]
-pub struct LampHit { pub t: f32, pub light: u32, pub n: Vec3, pub le: Rgb }
-#[derive(Debug, Default)]
-pub struct Lights { all: Vec<(Emission, Rgb, f32)>, ambient: Rgb }
+/// Up to here lights with a place are looked at one by one.
+const FEW: usize = 16;
+/// Lights with a place and distant light have at least this share of the choice each, where there are both.
+const LEAST_SHARE: f32 = 0.1;
+/// No radiance is larger, so that products stay numbers.
+const BRIGHTEST: f32 = 1e30;
+
+/// A light of the scene.
+#[derive(Clone, Debug)]
+pub struct LampSpec {
+    /// How it shines.
+    pub emission: Emission,
+    /// Intensity times colour.
+    pub radiance: Rgb,
+    /// For [`Emission::Point`], [`Emission::Disc`] and [`Emission::Sphere`]: the distance at which it lights a white surface as
+    /// brightly as its intensity says, metres.
+    pub full_at: f32,
+}
+
+/// Where light comes from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum LightPoint {
+    /// A point without size.
+    Point {
+        /// World space, metres.
+        position: Vec3,
+    },
+    /// A point of a surface.
+    Surface {
+        /// World space, metres.
+        position: Vec3,
+        /// The unit normal on the side that shines toward who asked.
+        n: Vec3,
+        /// Whether the other side shines, too.
+        is_two_sided: bool,
+    },
+    /// A direction without end.
+    Distant {
+        /// From the point that is lit to the light, of unit length.
+        toward: Vec3,
+    },
+}
+
+/// A point of a light that was chosen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LightSample {
+    /// The light; all distant light is [`DISTANT`].
+    pub light: u32,
+    /// Where its light comes from.
+    pub at: LightPoint,
+    /// Of a surface or a direction: radiance. Of a point: radiant intensity. Of sunlight without a width: the irradiance on a surface
+    /// that faces it.
+    pub le: Rgb,
+    /// Of a surface: the density per m². Of a direction: the density per steradian. Where `is_delta`: the probability.
+    pub pdf: f32,
+    /// Whether no other way of sampling can find it.
+    pub is_delta: bool,
+}
+
+/// In place of an index, all light without end.
+pub const DISTANT: u32 = u32::MAX;
+
+/// All lights, ready to be chosen from.
+#[derive(Clone, Debug, Default)]
+pub struct Lights {
+    /// Those that have a place.
+    local: Vec<LocalLight>,
+    /// What is known of each from afar.
+    bounds: Vec<Bound>,
+    /// Over many.
+    tree: Option<LightTree>,
+    distant: DistantLights,
+    lamps: Lamps,
+    emitters: EmitterTable,
+}
+
+/// A light that has a place.
+#[derive(Clone, Debug)]
+struct LocalLight {
+    form: Form,
+    /// Radiance; of a point, radiant intensity.
+    le: Rgb,
+    is_two_sided: bool,
+}
+
 impl Lights {
-    pub fn new(lamps: Vec<Lamp>, _e: Vec<Emitter>) -> Self {
-        let mut s = Self::default();
-        for l in lamps {
-            if matches!(l.emission, Emission::Everywhere) { s.ambient += l.radiance; }
-            s.all.push((l.emission, l.radiance, l.full_at));
+    /// Of the scene's lights and the objects that shine. Those that are black or have no area are left out.
+    #[must_use]
+    pub fn new(lamps: &[LampSpec], emitters: &[Emitter]) -> Self {
+        let mut lights = Self::default();
+        let mut seen = Vec::new();
+        for spec in lamps {
+            lights.add_lamp(spec, &mut seen);
         }
-        s
-    }
-    fn le(&self, i: usize) -> Rgb {
-        let (e, r, d) = &self.all[i];
-        match e {
-            Emission::Sphere { radius, .. } | Emission::Disc { radius, .. } => *r * (d * d / (radius * radius)),
-            Emission::Point { .. } => *r * (std::f32::consts::PI * d * d),
-            Emission::Direction { .. } => *r * std::f32::consts::PI,
-            _ => *r,
+        let mut rows = Vec::new();
+        for emitter in emitters {
+            let le = limited(emitter.radiance);
+            let Some(form) = emitter.form.form().filter(|_| le.luminance() > 0.0) else { continue };
+            let light = lights.add_local(LocalLight { form, le, is_two_sided: emitter.is_two_sided });
+            rows.push(((emitter.primitive, emitter.triangle), light));
         }
+        lights.tree = (lights.local.len() > FEW).then(|| LightTree::new(&lights.bounds));
+        lights.lamps = Lamps::new(seen);
+        lights.emitters = EmitterTable::new(rows);
+        lights
     }
-    pub fn sample(&self, _p: Vec3, _n: Option<Vec3>, u: f32, v: [f32; 2]) -> Option<LightSample> {
-        if self.all.is_empty() { return None; }
-        let count = self.all.len() as f32;
-        let i = ((u * count) as usize).min(self.all.len() - 1);
-        let (phi, z) = (std::f32::consts::TAU * v[0], 1.0 - 2.0 * v[1]);
-        let r = (1.0 - z * z).max(0.0).sqrt();
-        let dir = Vec3::new(r * libm::cosf(phi), r * libm::sinf(phi), z);
-        let le = self.le(i);
-        let s = match &self.all[i].0 {
-            Emission::Point { position } => LightSample { light: i as u32, at: LightPoint::Point { position: *position }, le, pdf: 1.0 / count, is_delta: true },
-            Emission::Sphere { position, radius } => LightSample { light: i as u32, at: LightPoint::Surface { position: *position + dir * *radius, n: dir, two_sided: false }, le, pdf: 1.0 / (count * 4.0 * std::f32::consts::PI * radius * radius), is_delta: false },
+
+    fn add_lamp(&mut self, spec: &LampSpec, seen: &mut Vec<Lamp>) {
+        let full2 = spec.full_at * spec.full_at;
+        let (form, le, lamp, radius, position) = match spec.emission {
+            // Φ/ω = π·I·d²
+            Emission::Point { position } => {
+                (Some(Form::Point(position)), spec.radiance * (PI * full2), None, 0.0, position)
+            }
+            // π·r²·L = π·I·d²
+            Emission::Sphere { position, radius } => {
+                let form = EmitterForm::Sphere { center: position, radius }.form();
+                let le = spec.radiance * (full2 / (radius * radius));
+                (form, le, Some(LampForm::Ball), radius, position)
+            }
             Emission::Disc { position, radius } => {
-                let rr = radius * v[1].sqrt();
-                LightSample { light: i as u32, at: LightPoint::Surface { position: *position + Vec3::new(rr * libm::cosf(phi), 0.0, rr * libm::sinf(phi)), n: Vec3::Y, two_sided: true }, le, pdf: 1.0 / (count * std::f32::consts::PI * radius * radius), is_delta: false }
+                let form = Plate::new(position, Vec3::Z * radius, Vec3::X * radius).map(Form::Plate);
+                let le = spec.radiance * (full2 / (radius * radius));
+                (form, le, Some(LampForm::Disc), radius, position)
             }
-            Emission::Direction { travels } => LightSample { light: i as u32, at: LightPoint::Distant { toward: -*travels }, le, pdf: 1.0 / count, is_delta: true },
-            _ => LightSample { light: i as u32, at: LightPoint::Distant { toward: dir }, le, pdf: 1.0 / (count * 4.0 * std::f32::consts::PI), is_delta: false },
+            _ => return self.distant.add(&spec.emission, spec.radiance),
         };
-        let _ = Frame::around(dir);
-        Some(s)
+        let le = limited(le);
+        let Some(form) = form.filter(|_| le.luminance() > 0.0) else { return };
+        let light = self.add_local(LocalLight { form, le, is_two_sided: true });
+        seen.extend(lamp.map(|form| Lamp { form, position, radius, light }));
     }
-    pub fn pdf_surface(&self, light: u32, _p: Vec3, _n: Option<Vec3>, _y: Vec3) -> f32 {
-        let count = self.all.len() as f32;
-        match &self.all[light as usize].0 {
-            Emission::Sphere { radius, .. } => 1.0 / (count * 4.0 * std::f32::consts::PI * radius * radius),
-            Emission::Disc { radius, .. } => 1.0 / (count * std::f32::consts::PI * radius * radius),
-            _ => 0.0,
+
+    fn add_local(&mut self, light: LocalLight) -> u32 {
+        let bound = light.form.bound(light.is_two_sided);
+        self.bounds.push(bound.with_power(bound.power * light.le.luminance()));
+        self.local.push(light);
+        self.local.len() as u32 - 1
+    }
+
+    /// Whether nothing shines.
+    #[inline]
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.local.is_empty() && self.distant.is_empty()
+    }
+
+    /// Chooses a light for the point `p` and a point of it. With a normal, light from behind it does not count. None where no light
+    /// arrives, or where the one that was chosen is seen from behind. All numbers are in [0, 1).
+    #[must_use]
+    pub fn sample(&self, p: Vec3, n: Option<Vec3>, u_choice: f32, u: [f32; 2]) -> Option<LightSample> {
+        let weights = self.weights(p, n);
+        let distant = weights.distant_share()?;
+        if u_choice < distant {
+            let chosen = self.distant.choose(n, u_choice / distant, u)?;
+            let at = LightPoint::Distant { toward: chosen.toward };
+            let pdf = chosen.pdf * distant;
+            return Some(LightSample { light: DISTANT, at, le: chosen.le, pdf, is_delta: chosen.is_delta });
+        }
+        let rest = (u_choice - distant) / (1.0 - distant);
+        let (light, of_light) = match &self.tree {
+            Some(tree) => tree.choose(p, n, with_more_digits(rest, u))?,
+            None => weights.choose(rest)?,
+        };
+        let probability = of_light * (1.0 - distant);
+        let LocalLight { form, le, is_two_sided } = &self.local[light as usize];
+        if let Form::Point(position) = form {
+            let at = LightPoint::Point { position: *position };
+            let sample = LightSample { light, at, le: *le, pdf: probability, is_delta: true };
+            return (*position != p).then_some(sample);
+        }
+        let chosen = form.choose(p, u, *is_two_sided)?;
+        let at = LightPoint::Surface { position: chosen.y, n: chosen.n, is_two_sided: *is_two_sided };
+        let pdf = chosen.pdf * probability;
+        (pdf > 0.0).then_some(LightSample { light, at, le: *le, pdf, is_delta: false })
+    }
+
+    /// The density per m² with which [`Self::sample`] from `p` finds `y`, a point of a light on a side that is seen from `p` and shines.
+    #[must_use]
+    pub fn pdf_surface(&self, light: u32, p: Vec3, n: Option<Vec3>, y: Vec3) -> f32 {
+        let Some(held) = self.local.get(light as usize) else { return 0.0 };
+        let weights = self.weights(p, n);
+        let Some(distant) = weights.distant_share() else { return 0.0 };
+        let of_light = match &self.tree {
+            Some(tree) => tree.probability(light, p, n),
+            None => weights.probability(light),
+        };
+        held.form.pdf(p, y) * of_light * (1.0 - distant)
+    }
+
+    /// The density per steradian with which [`Self::sample`] from `p` finds a direction of unit length, of all distant light with
+    /// a width.
+    #[must_use]
+    pub fn pdf_distant(&self, p: Vec3, n: Option<Vec3>, toward: Vec3) -> f32 {
+        if !self.distant.has_width() {
+            return 0.0;
+        }
+        let Some(distant) = self.weights(p, n).distant_share() else { return 0.0 };
+        self.distant.pdf(n, toward) * distant
+    }
+
+    /// The radiance of all distant light from a direction of unit length: what a ray sees that hits nothing.
+    #[inline]
+    #[must_use]
+    pub fn le_distant(&self, toward: Vec3) -> Rgb {
+        self.distant.le(toward)
+    }
+
+    /// The radiance that leaves a light's surface on the side of its normal (`is_front`) or on the other one.
+    #[inline]
+    #[must_use]
+    pub fn le_surface(&self, light: u32, is_front: bool) -> Rgb {
+        match self.local.get(light as usize) {
+            Some(LocalLight { le, is_two_sided, form }) if is_front || *is_two_sided => match form {
+                Form::Point(_) => Rgb::BLACK,
+                _ => *le,
+            },
+            _ => Rgb::BLACK,
         }
     }
-    pub fn pdf_distant(&self, _p: Vec3, _n: Option<Vec3>, _d: Vec3) -> f32 {
-        let k = self.all.iter().filter(|a| matches!(a.0, Emission::Everywhere)).count() as f32;
-        k / (self.all.len().max(1) as f32 * 4.0 * std::f32::consts::PI)
+
+    /// The light that a triangle of a primitive is; None for one that does not shine. Primitives without triangles have number 0.
+    #[inline]
+    #[must_use]
+    pub fn emitter(&self, primitive: u32, triangle: u32) -> Option<u32> {
+        self.emitters.light(primitive, triangle)
     }
-    pub fn le_distant(&self, _d: Vec3) -> Rgb { self.ambient }
-    pub fn emitter(&self, _p: u32, _t: u32) -> Option<u32> { None }
-    pub fn intersect(&self, ray: &Ray, from: f32, end: f32) -> Option<LampHit> {
-        let mut best: Option<LampHit> = None;
-        for (i, (e, ..)) in self.all.iter().enumerate() {
-            let hit = match e {
-                Emission::Sphere { position, radius } => {
-                    let f = ray.origin - *position;
-                    let b = -f.dot(ray.direction);
-                    let l = f + ray.direction * b;
-                    let disc = radius * radius - l.length_squared();
-                    if disc <= 0.0 { continue; }
-                    let t = b - disc.sqrt();
-                    let n = (ray.at(t) - *position) / *radius;
-                    (t, n)
-                }
-                Emission::Disc { position, radius } => {
-                    let t = (position.y - ray.origin.y) / ray.direction.y;
-                    if !((ray.at(t) - *position).length() < *radius) { continue; }
-                    (t, Vec3::Y)
-                }
-                _ => continue,
-            };
-            if hit.0 > from && hit.0 < end && best.is_none_or(|b| hit.0 < b.t) {
-                best = Some(LampHit { t: hit.0, light: i as u32, n: hit.1, le: self.le(i) });
+
+    /// Whether there are lamps that rays can meet.
+    #[inline]
+    #[must_use]
+    pub fn has_lamps(&self) -> bool {
+        !self.lamps.is_empty()
+    }
+
+    /// The nearest lamp that a ray meets before `t_max`; balls from outside only.
+    #[inline]
+    #[must_use]
+    pub fn intersect(&self, ray: &Ray, t_max: f32) -> Option<LampHit> {
+        self.lamps.intersect(ray, t_max)
+    }
+
+    /// About what each light, or all of them, and all distant light bring to `p`.
+    #[inline]
+    fn weights(&self, p: Vec3, n: Option<Vec3>) -> Weights {
+        let mut weights = Weights { each: [0.0; FEW], local: 0.0, distant: self.distant.importance(n) };
+        if let Some(tree) = &self.tree {
+            weights.local = tree.importance(p, n);
+        } else if self.local.len() == 1 && weights.distant == 0.0 {
+            // The only one is chosen always.
+            (weights.each[0], weights.local) = (1.0, 1.0);
+        } else {
+            for (weight, bound) in weights.each.iter_mut().zip(&self.bounds) {
+                *weight = bound.importance(p, n);
+                weights.local += *weight;
             }
         }
-        best
+        weights
     }
+}
+
+/// What the choice of a light goes by.
+struct Weights {
+    /// Of few lights, each.
+    each: [f32; FEW],
+    /// Of all that have a place.
+    local: f32,
+    /// Of all distant light.
+    distant: f32,
+}
+
+impl Weights {
+    /// The probability that distant light is chosen. None where nothing arrives.
+    #[inline]
+    fn distant_share(&self) -> Option<f32> {
+        match (self.local > 0.0, self.distant > 0.0) {
+            (false, false) => None,
+            (true, false) => Some(0.0),
+            (false, true) => Some(1.0),
+            (true, true) => {
+                let share = self.distant / (self.local + self.distant);
+                Some(LEAST_SHARE + (1.0 - 2.0 * LEAST_SHARE) * share)
+            }
+        }
+    }
+
+    /// Chooses one of few lights; gives its probability.
+    #[inline]
+    fn choose(&self, u: f32) -> Option<(u32, f32)> {
+        let mut rest = u * self.local;
+        let mut last = None;
+        for (light, &weight) in self.each.iter().enumerate().filter(|(_, weight)| **weight > 0.0) {
+            last = Some((light as u32, weight / self.local));
+            if rest < weight {
+                break;
+            }
+            rest -= weight;
+        }
+        last
+    }
+
+    #[inline]
+    fn probability(&self, light: u32) -> f32 {
+        self.each[light as usize] / self.local
+    }
+}
+
+/// A number in [0, 1) with further digits, which follow from two others: among thousands of lights those of an `f32` do not suffice.
+fn with_more_digits(u: f32, [a, b]: [f32; 2]) -> f64 {
+    let digits = hash::unit(hash::join(hash::join(hash::mix(u.to_bits()), a.to_bits()), b.to_bits()));
+    f64::from(u) + f64::from(digits) / 16_777_216.0
+}
+
+/// No brighter than products allow.
+fn limited(le: Rgb) -> Rgb {
+    Rgb::from(le.to_array().map(|c| c.min(BRIGHTEST)))
 }

@@ -56,7 +56,7 @@ const fn bits_of_first_sixteen(second: bool) -> [u32; 16] {
 }
 
 /// The second dimension of Sobol's sequence.
-const fn sobol_second(mut index: u32) -> u32 {
+pub(crate) const fn sobol_second(mut index: u32) -> u32 {
     let mut direction = 1_u32 << 31;
     let mut result = 0;
     while index != 0 {
