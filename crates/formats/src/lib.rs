@@ -13,11 +13,10 @@ pub use assets::load_assets;
 pub use atomic::write_atomically;
 pub use error::FormatError;
 pub use image_file::{
-    BitDepth, ExrLayers, IMAGE_FORMATS, ImageFormat, WriteOptions, encode, image_format, read_panorama, read_picture,
-    write_image, write_layers,
+    BitDepth, ExrLayers, IMAGE_FORMATS, ImageFormat, WriteOptions, encode, image_format, read_panorama,
+    read_picture, write_image, write_layers,
 };
 pub use mesh_file::{MESH_FORMATS, read_mesh};
-pub use state_file::{RenderState, read_state, write_state};
 pub use scene_file::{Finding, SceneFile, SceneFileError};
 
 /// Extensions for a message: ".png, .jpg, .jpeg".

@@ -50,7 +50,8 @@ mod tests {
     #[test]
     fn axes_are_unit_and_perpendicular_for_any_normal() {
         let number = |i: u32| 2.0 * hash::unit(hash::mix(i)) - 1.0;
-        let random = (0..2000).map(|i| Vec3::new(number(3 * i), number(3 * i + 1), number(3 * i + 2)).normalize());
+        let random =
+            (0..2000).map(|i| Vec3::new(number(3 * i), number(3 * i + 1), number(3 * i + 2)).normalize());
         for n in random.chain([Vec3::X, Vec3::Y, Vec3::Z, Vec3::NEG_X, Vec3::NEG_Y, Vec3::NEG_Z]) {
             let f = Frame::around(n);
             assert!((f.x.length() - 1.0).abs() < 1e-5 && (f.y.length() - 1.0).abs() < 1e-5);

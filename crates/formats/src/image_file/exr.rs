@@ -36,7 +36,8 @@ pub fn encode_channels(
 ) -> Result<Vec<u8>, String> {
     let size = size.map(|s| s as usize);
     let channels = AnyChannels::sort(channels.into());
-    let layer = Layer::new((size[0], size[1]), LayerAttributes::default(), Encoding::SMALL_LOSSLESS, channels);
+    let layer =
+        Layer::new((size[0], size[1]), LayerAttributes::default(), Encoding::SMALL_LOSSLESS, channels);
     let mut picture = ExrImage::from_layer(layer);
     // Rec. 709 with the white of D65.
     picture.attributes.chromaticities = Some(Chromaticities {

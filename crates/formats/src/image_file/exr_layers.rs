@@ -129,8 +129,18 @@ mod tests {
         let list = &read.layer_data.channel_data.list;
         let names: Vec<_> = list.iter().map(|c| c.name.to_string()).collect();
         let wanted = [
-            "B", "G", "R", "albedo.B", "albedo.G", "albedo.R", "depth.Z", "normal.X", "normal.Y", "normal.Z",
-            "object.id", "samples",
+            "B",
+            "G",
+            "R",
+            "albedo.B",
+            "albedo.G",
+            "albedo.R",
+            "depth.Z",
+            "normal.X",
+            "normal.Y",
+            "normal.Z",
+            "object.id",
+            "samples",
         ];
         assert_eq!(names, wanted, "sorted, as the format asks");
         let numbers = |name: &str| match &list[wanted.iter().position(|n| *n == name).unwrap()].sample_data {
