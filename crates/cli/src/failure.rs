@@ -65,12 +65,23 @@ impl From<Error> for Failure {
                 error.to_string(),
                 "--region takes X,Y,W,H in pixels from the upper left corner of the picture",
             ),
-            Error::Render(RenderError::OtherFilm | RenderError::OtherBlocks { .. }) => {
+            Error::Render(RenderError::OtherFilm) => {
                 Self::new(Exit::Failed, Report::error(error.to_string()))
             }
+            Error::Render(RenderError::OtherBlocks { .. }) => Self::new(
+                Exit::Failed,
+                Report::error(error.to_string()).with_help(
+                    "render as many samples as it was begun with, or leave --resume out to begin anew",
+                ),
+            ),
             Error::Render(RenderError::TooLarge { .. }) => {
                 Self::usage(error.to_string(), "give it fewer pixels with --size")
             }
+            Error::OtherRender { .. } => Self::new(
+                Exit::Failed,
+                Report::error(error.to_string())
+                    .with_help("render as it was begun, or leave --resume out to begin anew"),
+            ),
             Error::InTheWay { .. } => Self::new(
                 Exit::Failed,
                 Report::error(error.to_string()).with_help("choose another name, or replace it with --force"),
@@ -101,6 +112,9 @@ impl From<FormatError> for Failure {
             FormatError::MissingFolder { .. }
             | FormatError::DiscFull { .. }
             | FormatError::Unwritable { .. }
+            | FormatError::NotAState { .. }
+            | FormatError::StateOfOtherVersion { .. }
+            | FormatError::StateDamaged { .. }
             | FormatError::Encode { .. } => Exit::Failed,
             _ => Exit::BadInput,
         };

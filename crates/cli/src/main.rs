@@ -8,6 +8,7 @@ mod events;
 mod failure;
 mod flags;
 mod interrupt;
+mod keep;
 mod output;
 mod picture;
 mod progress;

@@ -141,7 +141,9 @@ pub enum RenderError {
     #[error("the picture so far belongs to other settings")]
     OtherFilm,
     /// A film whose samples are cut into other blocks, or that has more of them than wanted.
-    #[error("a part of the picture so far has {samples} samples for each pixel, and a picture of {wanted} cannot go on from there")]
+    #[error(
+        "a part of the picture so far has {samples} samples for each pixel, and a picture of {wanted} cannot go on from there"
+    )]
     OtherBlocks {
         /// Samples of each pixel of the part.
         samples: u32,

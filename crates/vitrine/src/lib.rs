@@ -36,15 +36,19 @@
 mod display;
 mod error;
 mod hash;
+mod layers;
 mod project;
+mod resume;
 pub mod summary;
 pub mod templates;
 
 pub use display::display_of;
 pub use error::Error;
 pub use hash::SceneHash;
+pub use layers::layers_of;
 pub use project::{Project, load, metadata_of};
 pub use vitrine_denoise as denoise;
+pub use resume::{STATE_EXTENSION, StateFile, StateKeeper};
 pub use vitrine_film as film;
 pub use vitrine_formats as formats;
 pub use vitrine_math as math;
@@ -54,7 +58,7 @@ pub use vitrine_scene as scene;
 
 pub use film::{Image, Region};
 pub use formats::WriteOptions;
-pub use render::{Cancel, Progress, RenderJob, RenderOptions, Rendered};
+pub use render::{Cancel, Ending, Progress, RenderJob, RenderOptions, Rendered};
 pub use scene::Scene;
 
 use std::path::Path;

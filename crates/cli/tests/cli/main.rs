@@ -7,6 +7,7 @@ mod help;
 mod inspect;
 mod interrupt;
 mod render;
+mod resume;
 mod support;
 mod sweep;
 mod templates;

@@ -28,7 +28,8 @@ pub fn matrix(kelvin: f32) -> [[f32; 3]; 3] {
     }
     // M = XYZ⁻¹ · B⁻¹ · diag(B·w_D65 / B·w) · B · XYZ
     let cones = product(BRADFORD, XYZ);
-    let [from, to] = [chromaticity(kelvin), D65].map(|[x, y]| times(BRADFORD, [x / y, 1.0, (1.0 - x - y) / y]));
+    let [from, to] =
+        [chromaticity(kelvin), D65].map(|[x, y]| times(BRADFORD, [x / y, 1.0, (1.0 - x - y) / y]));
     let scaled = [0, 1, 2].map(|i| cones[i].map(|v| v * to[i] / from[i]));
     product(inverse(cones), scaled).map(|row| row.map(|v| v as f32))
 }
@@ -126,9 +127,7 @@ mod tests {
         for kelvin in [1900.0, 3000.0, 4500.0, 10_000.0] {
             let [x, y] = chromaticity(f64::from(kelvin));
             let light = times(inverse(XYZ), [x / y, 1.0, (1.0 - x - y) / y]);
-            let shown = matrix(kelvin).map(|row| {
-                (0..3).map(|i| f64::from(row[i]) * light[i]).sum::<f64>()
-            });
+            let shown = matrix(kelvin).map(|row| (0..3).map(|i| f64::from(row[i]) * light[i]).sum::<f64>());
             for v in shown {
                 assert!((v - 1.0).abs() < 2e-3, "{kelvin}: {shown:?}");
             }

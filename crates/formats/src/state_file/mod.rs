@@ -13,9 +13,10 @@
 
 mod bytes;
 
-use crate::{FormatError, disc, write_atomically};
+use crate::atomic::write_through;
+use crate::{FormatError, disc};
 use bytes::{Reader, Writer};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use vitrine_film::{Features, Film, FilmParts, Region};
 use vitrine_math::{Rgb, Vec3};
 use vitrine_scene::Settings;
@@ -50,9 +51,17 @@ pub struct RenderState {
 /// Writes a state file: all of it or nothing.
 ///
 /// # Errors
-/// As [`write_atomically`].
+/// [`FormatError::MissingFolder`], [`FormatError::DiscFull`], [`FormatError::Unwritable`]; then what was there is unchanged.
 pub fn write_state(path: &Path, state: &RenderState) -> Result<(), FormatError> {
-    write_atomically(path, &encode_state(state))
+    write_through(&part_of(path), path, &encode_state(state))
+}
+
+/// Where a state file stands while it is being written.
+#[must_use]
+pub fn part_of(path: &Path) -> PathBuf {
+    let mut name = path.as_os_str().to_owned();
+    name.push(".part");
+    name.into()
 }
 
 /// Reads a state file.

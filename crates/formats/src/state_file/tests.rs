@@ -77,7 +77,7 @@ fn other_files_and_versions_are_told_apart() {
 fn a_header_that_claims_more_than_there_is_allocates_nothing() {
     let bytes = encode_state(&state(Keep::Light));
     // Lengths of texts, flags and the region's four numbers.
-    for place in (12..48).step_by(4) {
+    for place in (12..44).step_by(4) {
         for value in [u32::MAX, 1 << 16, 11_585, 2, 0] {
             let mut changed = bytes.clone();
             changed[place..place + 4].copy_from_slice(&value.to_le_bytes());

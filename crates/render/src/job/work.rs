@@ -146,9 +146,8 @@ impl<'a> Desk<'a> {
     }
 
     fn has_all_before(&self, end: usize) -> bool {
-        let has_all = |merge: &Mutex<Merge>| {
-            merge.lock().unwrap_or_else(PoisonError::into_inner).has_all_before(end)
-        };
+        let has_all =
+            |merge: &Mutex<Merge>| merge.lock().unwrap_or_else(PoisonError::into_inner).has_all_before(end);
         self.merges.iter().all(has_all)
     }
 

@@ -16,7 +16,11 @@ fn shot(samples: u32, noise: f32) -> Shot {
 
 fn run(shot: &Shot, threads: usize) -> Rendered {
     let scene = shot.compiled();
-    RenderJob::new(&scene, shot.options()).expect("the job can start").run(threads, &Cancel::default(), &mut |_| {})
+    RenderJob::new(&scene, shot.options()).expect("the job can start").run(
+        threads,
+        &Cancel::default(),
+        &mut |_| {},
+    )
 }
 
 #[test]
@@ -61,7 +65,9 @@ fn c15_a_noise_limit_is_the_same_after_stops() {
     let scene = shot.compiled();
     let job = RenderJob::new(&scene, shot.options()).unwrap();
     let mut looks = Vec::new();
-    let whole = job.resume(job.nothing_yet(), 2, &Cancel::default(), &mut |glance| looks.push(glance.so_far())).unwrap();
+    let whole = job
+        .resume(job.nothing_yet(), 2, &Cancel::default(), &mut |glance| looks.push(glance.so_far()))
+        .unwrap();
     assert_eq!(whole.film.keep(), Keep::Halves);
     for so_far in looks {
         let again = job.resume(so_far, 3, &Cancel::default(), &mut |_| {}).unwrap();

@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 use std::time::Duration;
-use vitrine::{WriteOptions, display_of};
 use vitrine::formats::BitDepth;
 use vitrine::scene::{Renderer, Settings};
+use vitrine::{WriteOptions, display_of};
 
 /// The kind of file that a picture is saved as.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -142,17 +142,27 @@ impl Tools<'_, '_> {
     fn meet_lamps(&mut self, path: &Path, ray: &Ray, end: f32) {
         let scene = self.task.scene;
         let lights = &scene.photoreal.lights;
+        if !lights.has_lamps() {
+            return;
+        }
+        // Each one once: the search goes on behind the last.
         let mut from = path.start_t;
-        while let Some(lamp) = lights.intersect(ray, from, end) {
-            let y = double(ray.origin) + double(ray.direction) * f64::from(lamp.t);
+        loop {
+            let rest = Ray { origin: ray.at(from), direction: ray.direction, t_max: end - from };
+            let Some(mut lamp) = lights.intersect(&rest, end - from) else { return };
+            let le = lights.le_surface(lamp.light, true);
+            let step = lamp.t;
+            lamp.t += from;
+            let y = double(lamp.y);
             let n = (path.origin.n != Vec3::ZERO).then_some(path.origin.n);
-            let pdf = lights.pdf_surface(lamp.light, path.origin.x, n, y.as_vec3());
+            let pdf = lights.pdf_surface(lamp.light, path.origin.x, n, lamp.y);
             let cos = lamp.n.dot(ray.direction).abs();
             let shining = Shining { y, cos, pdf, square: 1.0 };
             let weight = chance_weight(scene, self.connector, path, &shining);
             let faded = self.faded(path, lamp.t - path.start_t);
-            self.add(path, lamp.le * faded * weight);
-            from = lamp.t;
+            self.add(path, le * faded * weight);
+            // A little behind the lamp's surface.
+            from = lamp.t + step.max(lamp.y.abs().max_element()) * 1e-5;
         }
     }
 
@@ -472,9 +482,9 @@ impl Tools<'_, '_> {
             return;
         }
         let cos = match sample.at {
-            LightPoint::Surface { n, two_sided, .. } => {
+            LightPoint::Surface { n, is_two_sided, .. } => {
                 let cos = connection.wy.as_vec3().dot(n);
-                if two_sided { cos.abs() } else { cos.max(0.0) }
+                if is_two_sided { cos.abs() } else { cos.max(0.0) }
             }
             LightPoint::Point { .. } | LightPoint::Distant { .. } => 1.0,
         };
