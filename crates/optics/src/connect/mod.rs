@@ -58,13 +58,24 @@ pub struct Chain {
     pub spread: f64,
 }
 
+/// What a path is at its two ends: the fields of [`Chain`].
+#[derive(Clone, Copy)]
+pub(crate) struct PathEnds {
+    pub wx: DVec3,
+    pub wy: DVec3,
+    pub spread: f64,
+}
+
 impl Chain {
     /// A chain that has no vertices yet.
-    pub(crate) fn new(wx: DVec3, wy: DVec3, spread: f64) -> Self {
+    #[inline]
+    pub(crate) fn new(ends: PathEnds) -> Self {
+        let PathEnds { wx, wy, spread } = ends;
         Self { points: [DVec3::ZERO; MAX_VERTICES], len: 0, wx, wy, spread }
     }
 
     /// Adds the next point on the way to the light. The caller keeps to [`MAX_VERTICES`].
+    #[inline]
     pub(crate) fn push(&mut self, p: DVec3) {
         self.points[self.len] = p;
         self.len += 1;
@@ -78,6 +89,7 @@ impl Chain {
     }
 
     /// Whether every number is one that can be used.
+    #[inline]
     pub(crate) fn is_sound(&self) -> bool {
         self.spread.is_finite()
             && self.spread >= 0.0
@@ -96,7 +108,8 @@ pub struct Chains {
 
 impl Default for Chains {
     fn default() -> Self {
-        Self { chains: [Chain::new(DVec3::ZERO, DVec3::ZERO, 0.0); MAX_CHAINS], len: 0 }
+        let none = PathEnds { wx: DVec3::ZERO, wy: DVec3::ZERO, spread: 0.0 };
+        Self { chains: [Chain::new(none); MAX_CHAINS], len: 0 }
     }
 }
 
@@ -114,10 +127,15 @@ impl Chains {
         self.len = 0;
     }
 
-    /// Adds a chain if it is sound and there is room.
-    pub(crate) fn push(&mut self, chain: &Chain) {
-        if self.len < MAX_CHAINS && chain.is_sound() {
-            self.chains[self.len] = *chain;
+    /// Adds a chain with these ends and vertices if it is sound and there is room.
+    #[inline]
+    pub(crate) fn push(&mut self, ends: PathEnds, vertices: impl Iterator<Item = DVec3>) {
+        let Some(chain) = self.chains.get_mut(self.len) else { return };
+        (chain.wx, chain.wy, chain.spread, chain.len) = (ends.wx, ends.wy, ends.spread, 0);
+        for p in vertices {
+            chain.push(p);
+        }
+        if chain.is_sound() {
             self.len += 1;
         }
     }

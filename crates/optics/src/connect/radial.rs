@@ -151,7 +151,7 @@ impl Sweep {
             let next = c - f / rate;
             let next = if next > low && next < high { next } else { 0.5 * (low + high) };
             // Θ is level here: half the digits of the place give all of those of Θ.
-            if (next - c).abs() <= 1e-10 * self.high {
+            if (next - c).abs() <= 1e-8 * self.high {
                 return next;
             }
             c = next;

@@ -142,7 +142,7 @@ fn every_reflection_inside_a_pane_obeys_snell_and_spreads_as_measured() {
             let target = Target::Point(n * y_height + slide);
             let chain = connect_pane(x, target, &pane, ladder).unwrap();
             let (first, second) = (Surface::Plane { n, offset: near }, Surface::Plane { n, offset: far });
-            let surface = |k: usize| if k % 2 == 0 { first } else { second };
+            let surface = |k: usize| if k.is_multiple_of(2) { first } else { second };
             let mut events = vec![event(first, 1.0, n1)];
             let count = match ladder {
                 Ladder::Through(k) => 2 * k as usize + 2,
