@@ -59,7 +59,7 @@ impl Legs {
 
 /// Receiver and light seen from the centre.
 pub(super) struct Around {
-    centre: DVec3,
+    center: DVec3,
     /// The unit vectors to the receiver and to the light.
     x: DVec3,
     y: DVec3,
@@ -78,10 +78,10 @@ pub(super) struct Around {
 impl Around {
     /// None if something is not finite. `scale` is a length of the scene around the centre: an end at the centre itself
     /// has no direction and is moved off by a tiny part of it.
-    pub(super) fn new(x: DVec3, target: Target, centre: DVec3, scale: f64) -> Option<Self> {
+    pub(super) fn new(x: DVec3, target: Target, center: DVec3, scale: f64) -> Option<Self> {
         let off = 1e-9 * scale;
         let from = |p: DVec3| {
-            let d = p - centre;
+            let d = p - center;
             let r = d.length();
             if r > off { (d / r, r) } else { (DVec3::ZERO, off) }
         };
@@ -105,7 +105,7 @@ impl Around {
         let ey = yh.cross(axis);
         let finite = rx.is_finite() && !ry.is_nan() && sin.is_finite() && cos.is_finite();
         finite.then(|| Self {
-            centre,
+            center,
             x: xh,
             y: yh,
             ex: ex / ex.length(),
@@ -203,7 +203,7 @@ impl Around {
             let (s, c) = swept(b, leg, from);
             (u, v) = (u * c - v * s, u * s + v * c);
             from = leg.to;
-            self.centre + (self.x * u + self.ex * (v * side)) * leg.to
+            self.center + (self.x * u + self.ex * (v * side)) * leg.to
         })
     }
 

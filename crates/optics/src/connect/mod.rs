@@ -1,9 +1,12 @@
 //! Refracted connections: every way in which light gets from a lamp through smooth glass to a point.
 //!
 //! A smooth surface has no chance to scatter into a direction that was chosen from outside, so a shadow ray that meets
-//! glass says nothing. These solvers find the bent paths instead, exactly: through parallel planes ([`planes`]), planes
-//! that are not parallel ([`faces`]), a ball ([`sphere`]) and concentric shells ([`shells`]). They are pure geometry. Fresnel, absorption, what stands in
-//! the way and how far a pane extends are the caller's: it knows the surfaces and gets the points on them.
+//! glass says nothing. These solvers find the bent paths instead: all of them through parallel planes ([`planes`]), planes
+//! that are not parallel ([`faces`]), a ball from outside and inside ([`sphere`]) and concentric shells ([`shells`]); one
+//! of them through any sequence of planes and balls ([`walk`]). What is found depends on the input alone, never on luck.
+//!
+//! They are pure geometry. Fresnel, absorption, what stands in the way and how far a pane extends are the caller's: it
+//! knows the surfaces and gets the points on them.
 //!
 //! Numbers are f64, for the path is the small difference of long lengths and the light that it carries is a derivative
 //! of that; single precision would leave one to three digits. Nothing is allocated.
@@ -25,6 +28,7 @@ pub mod shells;
 pub mod sphere;
 #[cfg(test)]
 mod trial;
+pub mod walk;
 
 /// The most surface points that a chain can have.
 pub const MAX_VERTICES: usize = 16;

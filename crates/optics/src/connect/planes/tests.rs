@@ -79,6 +79,9 @@ fn a_distant_light_keeps_its_direction_and_a_pane_spreads_nothing() {
         };
         let events = case.events();
         assert!(miss(case.x, target, &chain, &events, 1.0) < 1e-9, "case {k}");
+        let (cos_x, cos_y) = (chain.wx.dot(case.n).abs(), chain.wy.dot(case.n).abs());
+        let known = distant_spread_of(cos_x, cos_y, case.indices[0], case.indices[case.indices.len() - 1]);
+        assert!((chain.spread / known - 1.0).abs() < 1e-6, "case {k}");
         let steep = steepness(&chain, &events);
         if steep > 0.02 {
             let measured = measured_spread(case.x, target, &chain, &events, 3e-4 * steep * steep);
