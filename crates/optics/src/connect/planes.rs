@@ -63,7 +63,8 @@ pub fn connect(x: DVec3, target: Target, stack: &Stack<'_>) -> Option<Chain> {
     }
     // A distant light counts from the last plane on: its layer has no thickness.
     layers[count] = (end.height.map_or(0.0, |h| (h - at) * end.up), stack.indices[count]);
-    let layers = &layers[..=count];
+    let layers = &mut layers[..=count];
+    settle(layers)?;
     let normal = stack.n * end.up;
     let mut slopes = [0.0; MAX_VERTICES + 1];
     let mut chain = Chain::new(end.bend(layers, [normal, -normal], &mut slopes)?);
@@ -101,13 +102,14 @@ pub fn connect_pane(x: DVec3, target: Target, pane: &Pane, ladder: Ladder) -> Op
         None => return None,
     };
     // Unfolded, the reflections inside make one thicker layer: (2k+1)d through, 2md back.
-    let layers = [(first, pane.indices[0]), ((vertices - 1) as f64 * d, pane.indices[1]), (rest, last)];
+    let mut layers = [(first, pane.indices[0]), ((vertices - 1) as f64 * d, pane.indices[1]), (rest, last)];
     // Order 0 back does not enter the glass.
-    let outside = [layers[0], layers[2]];
-    let layers = if vertices == 1 { &outside[..] } else { &layers[..] };
+    let mut outside = [layers[0], layers[2]];
+    let layers = if vertices == 1 { &mut outside[..] } else { &mut layers[..] };
+    settle(layers)?;
     let mut slopes = [0.0; MAX_VERTICES + 1];
     let mut chain = Chain::new(end.bend(layers, [pane.n * up, pane.n * -out], &mut slopes)?);
-    let mut p = x + (pane.n * up + end.e * slopes[0]) * first;
+    let mut p = x + (pane.n * up + end.e * slopes[0]) * layers[0].0;
     chain.push(p);
     let mut side = up;
     for _ in 1..vertices {
@@ -202,7 +204,7 @@ impl Ends {
     #[inline]
     fn bend(&self, layers: &[Layer], normals: [DVec3; 2], slopes: &mut [f64]) -> Option<PathEnds> {
         let m = layers.iter().fold(f64::INFINITY, |m, l| m.min(l.1));
-        if m <= 0.0 || layers.iter().any(|l| l.0 < 0.0) {
+        if m <= 0.0 {
             return None;
         }
         let t = self.tangent(layers, m)?;
@@ -230,6 +232,20 @@ impl Ends {
         };
         Some(PathEnds { wx, wy, spread })
     }
+}
+
+/// Takes an end that is on a plane up to rounding for one that is on it; None if one is on the wrong side.
+#[inline]
+fn settle(layers: &mut [Layer]) -> Option<()> {
+    // What single precision can do.
+    let slack = 1e-6 * layers.iter().map(|l| l.0.abs()).sum::<f64>();
+    for layer in layers {
+        if layer.0.is_nan() || layer.0 < -slack {
+            return None;
+        }
+        layer.0 = layer.0.max(0.0);
+    }
+    Some(())
 }
 
 /// t = tan θ in the medium of the smallest index `m`, such that the layers carry the path `r` metres along the planes.

@@ -252,7 +252,7 @@ impl Sweep {
         }
         let mut cuts = [0.0; MAX_PIECES + 1];
         let count = self.cut(&mut cuts);
-        let mut at_low = self.eval(cuts[0]).0;
+        let mut at_low = if cuts[0] == 0.0 { 0.0 } else { self.eval(cuts[0]).0 };
         for k in 1..count {
             let ends = (cuts[k - 1], cuts[k]);
             let at_high = self.eval(ends.1).0;

@@ -241,6 +241,10 @@ fn places_without_an_answer_give_none_and_never_nan() {
         }
     }
     assert!(found > 1000, "{found}");
+    // What rounding has moved through a surface is on it.
+    let near = connect(at(0.0, 1e-9), Target::Point(at(0.5, 1.0)), &pane).unwrap();
+    let on = connect(at(0.0, 0.0), Target::Point(at(0.5, 1.0)), &pane).unwrap();
+    assert!((near.wx - on.wx).length() < 1e-8 && (near.vertices()[0] - at(0.0, 0.0)).length() < 1e-8);
     // From the wrong side, and beside one another in the glass.
     assert!(connect(at(0.0, 0.5), Target::Point(at(0.0, 1.0)), &pane).is_none());
     assert!(connect(at(0.0, -0.5), Target::Point(at(0.0, -1.0)), &pane).is_none());
