@@ -3,7 +3,7 @@
 use vitrine_math::DVec3;
 
 use super::radial::{ON_AXIS, Root, Sweep};
-use super::{Chain, Chains, MAX_VERTICES, Target};
+use super::{Chains, MAX_VERTICES, PathEnds, Target};
 
 /// By how much of the radius an end may lie on the wrong side of a surface: what single precision can do.
 const SLACK: f64 = 1e-5;
@@ -59,7 +59,7 @@ impl Legs {
 
 /// Receiver and light seen from the centre.
 pub(super) struct Around {
-    centre: DVec3,
+    center: DVec3,
     /// The unit vectors to the receiver and to the light.
     x: DVec3,
     y: DVec3,
@@ -78,10 +78,10 @@ pub(super) struct Around {
 impl Around {
     /// None if something is not finite. `scale` is a length of the scene around the centre: an end at the centre itself
     /// has no direction and is moved off by a tiny part of it.
-    pub(super) fn new(x: DVec3, target: Target, centre: DVec3, scale: f64) -> Option<Self> {
+    pub(super) fn new(x: DVec3, target: Target, center: DVec3, scale: f64) -> Option<Self> {
         let off = 1e-9 * scale;
         let from = |p: DVec3| {
-            let d = p - centre;
+            let d = p - center;
             let r = d.length();
             if r > off { (d / r, r) } else { (DVec3::ZERO, off) }
         };
@@ -105,7 +105,7 @@ impl Around {
         let ey = yh.cross(axis);
         let finite = rx.is_finite() && !ry.is_nan() && sin.is_finite() && cos.is_finite();
         finite.then(|| Self {
-            centre,
+            center,
             x: xh,
             y: yh,
             ex: ex / ex.length(),
@@ -147,7 +147,9 @@ impl Around {
     pub(super) fn connect(&self, legs: &Legs, low: f64, out: &mut Chains) {
         let legs = legs.as_slice();
         let Some(sweep) = self.sweep(legs, low) else { return };
-        sweep.solve(self.delta, self.rest, |root| out.push(&self.chain(legs, &root)));
+        sweep.solve(self.delta, self.rest, |root| {
+            out.push(self.ends(legs, &root), self.vertices(legs, &root));
+        });
     }
 
     /// The angle that the legs sweep, as a function of b.
@@ -180,26 +182,29 @@ impl Around {
         Sweep::new(&terms[..len], half_turn, low)
     }
 
-    /// The chain with Bouguer's constant b of `root`.
-    fn chain(&self, legs: &[Leg], root: &Root) -> Chain {
+    /// The ends of the path with Bouguer's constant b of `root`.
+    fn ends(&self, legs: &[Leg], root: &Root) -> PathEnds {
         let (first, last) = (legs[0], legs[legs.len() - 1]);
         let (sx, cx) = angle(root.b, first.n, self.rx);
         let (sy, cy) = angle(root.b, last.n, self.ry);
-        let inwards = |run: Run, away: Run| if run == away { 1.0 } else { -1.0 };
+        let outwards = |is_so: bool| if is_so { 1.0 } else { -1.0 };
         // At the light the leg is seen backwards: it leaves outwards where it came in.
-        let wx = self.x * (cx * inwards(first.run, Run::Out)) + self.ex * (sx * root.side);
-        let wy = self.y * (cy * inwards(last.run, Run::In)) + self.ey * (sy * root.side);
-        let mut chain = Chain::new(wx, wy, self.spread((first.n, cx, cy), self.sin, root));
-        // The direction from the centre, in the plane of the path.
-        let (mut u, mut v) = (1.0, 0.0);
-        let mut from = self.rx;
-        for leg in &legs[..legs.len() - 1] {
-            let (s, c) = swept(root.b, leg, from);
+        let wx = self.x * (cx * outwards(first.run == Run::Out)) + self.ex * (sx * root.side);
+        let wy = self.y * (cy * outwards(last.run == Run::In)) + self.ey * (sy * root.side);
+        PathEnds { wx, wy, spread: self.spread((first.n, cx, cy), self.sin, root) }
+    }
+
+    /// The points between the legs of the path with Bouguer's constant b of `root`.
+    fn vertices(&self, legs: &[Leg], root: &Root) -> impl Iterator<Item = DVec3> {
+        let Root { b, side, .. } = *root;
+        // The direction from the centre in the plane of the path, and the distance.
+        let (mut u, mut v, mut from) = (1.0, 0.0, self.rx);
+        legs[..legs.len() - 1].iter().map(move |leg| {
+            let (s, c) = swept(b, leg, from);
             (u, v) = (u * c - v * s, u * s + v * c);
             from = leg.to;
-            chain.push(self.centre + (self.x * u + self.ex * (v * root.side)) * leg.to);
-        }
-        chain
+            self.center + (self.x * u + self.ex * (v * side)) * leg.to
+        })
     }
 
     /// dω_x/dA⊥, or dω_x/dω_y for a distant light; `cx` and `cy` are the cosines of the path with the radius at the ends

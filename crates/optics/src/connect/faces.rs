@@ -11,7 +11,7 @@
 use glam::{DMat2, DVec2};
 use vitrine_math::DVec3;
 
-use super::{Chain, MAX_VERTICES, Target};
+use super::{Chain, MAX_VERTICES, PathEnds, Target};
 
 /// A flat face on the way.
 #[derive(Clone, Copy, Debug)]
@@ -39,10 +39,12 @@ pub fn connect(x: DVec3, target: Target, faces: &[Face]) -> Option<Chain> {
     }
     match target {
         Target::Point(y) if y.is_finite() => {
-            let problem = Problem::new(x, y, faces);
-            let start = problem.straight();
-            let points = problem.descend(start, 0.0, 24).or_else(|| problem.smoothed(&start))?;
-            problem.chain(&points)
+            // Most ways have two or four faces, and moving room for sixteen about takes most of the time.
+            match faces.len() {
+                0..=2 => Problem::<2>::new(x, y, faces).solve(),
+                3..=4 => Problem::<4>::new(x, y, faces).solve(),
+                _ => Problem::<MAX_VERTICES>::new(x, y, faces).solve(),
+            }
         }
         Target::Distant(w) if w.is_finite() => connect_distant(x, w, faces),
         _ => None,
@@ -72,7 +74,7 @@ fn connect_distant(x: DVec3, w: DVec3, faces: &[Face]) -> Option<Chain> {
         // n₁² c₁ dω₁ = n₂² c₂ dω₂, the derivative of Snell's law
         spread *= ratio * ratio * cos_after / cos;
     }
-    let mut chain = Chain::new(directions[0], -w, spread);
+    let mut chain = Chain::new(PathEnds { wx: directions[0], wy: -w, spread });
     let mut p = x;
     for (face, w) in faces.iter().zip(directions) {
         let distance = (face.point - p).dot(face.n) / face.n.dot(w);
@@ -86,15 +88,15 @@ fn connect_distant(x: DVec3, w: DVec3, faces: &[Face]) -> Option<Chain> {
 }
 
 /// Points on all faces.
-type Points = [DVec3; MAX_VERTICES];
+type Points<const N: usize> = [DVec3; N];
 
 /// The way to be found.
-struct Problem<'a> {
+struct Problem<'a, const N: usize> {
     x: DVec3,
     y: DVec3,
     faces: &'a [Face],
     /// Two unit vectors along each face.
-    along: [(DVec3, DVec3); MAX_VERTICES],
+    along: [(DVec3, DVec3); N],
     /// How long the way is, roughly.
     scale: f64,
 }
@@ -110,9 +112,9 @@ struct Leg {
     length: f64,
 }
 
-impl<'a> Problem<'a> {
+impl<'a, const N: usize> Problem<'a, N> {
     fn new(x: DVec3, y: DVec3, faces: &'a [Face]) -> Self {
-        let mut along = [(DVec3::ZERO, DVec3::ZERO); MAX_VERTICES];
+        let mut along = [(DVec3::ZERO, DVec3::ZERO); N];
         let mut scale = (y - x).length();
         for (frame, face) in along.iter_mut().zip(faces) {
             *frame = face.n.any_orthonormal_pair();
@@ -121,9 +123,16 @@ impl<'a> Problem<'a> {
         Self { x, y, faces, along, scale }
     }
 
+    /// The way, or None if light cannot go it.
+    fn solve(&self) -> Option<Chain> {
+        let start = self.straight();
+        let points = self.descend(start, 0.0, 16).or_else(|| self.smoothed(&start))?;
+        self.chain(&points)
+    }
+
     /// Where the straight line meets the faces; beside its ends where it does not.
-    fn straight(&self) -> Points {
-        let mut points = [DVec3::ZERO; MAX_VERTICES];
+    fn straight(&self) -> Points<N> {
+        let mut points = [DVec3::ZERO; N];
         for (p, face) in points.iter_mut().zip(self.faces) {
             let d = self.y - self.x;
             let share = (face.point - self.x).dot(face.n) / d.dot(face.n);
@@ -136,7 +145,7 @@ impl<'a> Problem<'a> {
 
     /// Leg `j` from its start to its end: leg 0 leaves the receiver, the last one comes to the light.
     #[inline]
-    fn leg(&self, points: &Points, j: usize, smooth: f64) -> Leg {
+    fn leg(&self, points: &Points<N>, j: usize, smooth: f64) -> Leg {
         let start = if j == 0 { self.x } else { points[j - 1] };
         let n = self.index(j);
         let end = if j < self.faces.len() { points[j] } else { self.y };
@@ -166,21 +175,21 @@ impl<'a> Problem<'a> {
     }
 
     /// The optical length.
-    fn length(&self, points: &Points, smooth: f64) -> f64 {
+    fn length(&self, points: &Points<N>, smooth: f64) -> f64 {
         (0..=self.faces.len()).map(|j| self.leg(points, j, smooth).length).sum()
     }
 
     /// The pieces of the Hessian of V, ready to solve with, and its gradient; None where V has a corner.
-    fn linearise(&self, points: &Points, smooth: f64) -> Option<(Blocks, [DVec2; MAX_VERTICES])> {
+    fn linearise(&self, points: &Points<N>, smooth: f64) -> Option<(Blocks<N>, [DVec2; N])> {
         let count = self.faces.len();
         let mut blocks = Blocks::new(count);
-        let mut gradient = [DVec2::ZERO; MAX_VERTICES];
+        let mut gradient = [DVec2::ZERO; N];
         let mut before = self.leg(points, 0, smooth);
-        for j in 0..count {
+        for (j, gradient) in gradient.iter_mut().enumerate().take(count) {
             let after = self.leg(points, j + 1, smooth);
             // g_j = T_jᵀ(n_{j−1}w_{j−1} − n_j w_j)
             let g = before.nw - after.nw;
-            gradient[j] = DVec2::new(self.along[j].0.dot(g), self.along[j].1.dot(g));
+            *gradient = DVec2::new(self.along[j].0.dot(g), self.along[j].1.dot(g));
             // H_jj = T_jᵀ(K_{j−1}+K_j)T_j,  H_{j,j+1} = −T_jᵀ K_j T_{j+1}
             let diagonal = self.curvature(&before, j, j) + self.curvature(&after, j, j);
             let next = if j + 1 < count { -self.curvature(&after, j, j + 1) } else { DMat2::ZERO };
@@ -191,7 +200,7 @@ impl<'a> Problem<'a> {
     }
 
     /// Newton's method with damping, from `points` to the shortest way; None if it does not arrive in `most` steps.
-    fn descend(&self, mut points: Points, smooth: f64, most: usize) -> Option<Points> {
+    fn descend(&self, mut points: Points<N>, smooth: f64, most: usize) -> Option<Points<N>> {
         let count = self.faces.len();
         let mut value = self.length(&points, smooth);
         for _ in 0..most {
@@ -210,9 +219,10 @@ impl<'a> Problem<'a> {
                 p
             };
             // So near the goal the length says nothing any more, and the whole step is right.
-            if size <= 1e-7 * self.scale {
+            if size <= (1e-7 * self.scale).max(0.1 * smooth) {
                 points = moved(1.0);
-                if size <= 1e-13 * self.scale {
+                // Smoothed, it is a stage on the way.
+                if smooth > 0.0 || size <= 1e-13 * self.scale {
                     return Some(points);
                 }
                 value = self.length(&points, smooth);
@@ -236,18 +246,16 @@ impl<'a> Problem<'a> {
     }
 
     /// The shortest way by lengths that are smoothed less and less.
-    fn smoothed(&self, start: &Points) -> Option<Points> {
+    fn smoothed(&self, start: &Points<N>) -> Option<Points<N>> {
         let mut points = *start;
-        let mut smooth = self.scale;
-        for _ in 0..14 {
-            points = self.descend(points, smooth, 50).unwrap_or(points);
-            smooth *= 0.2;
+        for smooth in [0.3, 0.02, 2e-3, 2e-4, 1e-5] {
+            points = self.descend(points, smooth * self.scale, 40).unwrap_or(points);
         }
-        self.descend(points, 0.0, 50)
+        self.descend(points, 0.0, 24)
     }
 
     /// The chain, if light can go this way.
-    fn chain(&self, points: &Points) -> Option<Chain> {
+    fn chain(&self, points: &Points<N>) -> Option<Chain> {
         let count = self.faces.len();
         for (j, face) in self.faces.iter().enumerate() {
             let before = self.leg(points, j, 0.0);
@@ -260,7 +268,8 @@ impl<'a> Problem<'a> {
             }
         }
         let (first, last) = (self.leg(points, 0, 0.0), self.leg(points, count, 0.0));
-        let mut chain = Chain::new(first.w, -last.w, self.spread(points, &first, &last)?);
+        let spread = self.spread(points, &first, &last)?;
+        let mut chain = Chain::new(PathEnds { wx: first.w, wy: -last.w, spread });
         for &p in &points[..count] {
             chain.push(p);
         }
@@ -268,7 +277,7 @@ impl<'a> Problem<'a> {
     }
 
     /// |det(B_xᵀ V_xu H⁻¹ V_uy B_y)|/n_x², with B the axes across the first and the last leg.
-    fn spread(&self, points: &Points, first: &Leg, last: &Leg) -> Option<f64> {
+    fn spread(&self, points: &Points<N>, first: &Leg, last: &Leg) -> Option<f64> {
         let count = self.faces.len();
         if count == 0 {
             return Some(1.0 / (self.y - self.x).length_squared());
@@ -277,7 +286,7 @@ impl<'a> Problem<'a> {
         let (bx, by) = (first.w.any_orthonormal_pair(), last.w.any_orthonormal_pair());
         let m = count - 1;
         let column = |b: DVec3| {
-            let mut right = [DVec2::ZERO; MAX_VERTICES];
+            let mut right = [DVec2::ZERO; N];
             // V_uy = −T_mᵀ K_m, and across the leg K is n/ℓ.
             right[m] = DVec2::new(self.along[m].0.dot(b), self.along[m].1.dot(b)) * -last.bend;
             let u = blocks.solve(right)[0];
@@ -291,17 +300,17 @@ impl<'a> Problem<'a> {
 }
 
 /// A symmetric positive matrix of 2 × 2 blocks along the diagonal and beside it, eliminated from the first to the last.
-struct Blocks {
+struct Blocks<const N: usize> {
     /// The inverse of each pivot.
-    pivots: [DMat2; MAX_VERTICES],
+    pivots: [DMat2; N],
     /// What stands to the right of the diagonal.
-    next: [DMat2; MAX_VERTICES],
+    next: [DMat2; N],
     len: usize,
 }
 
-impl Blocks {
+impl<const N: usize> Blocks<N> {
     fn new(len: usize) -> Self {
-        Self { pivots: [DMat2::ZERO; MAX_VERTICES], next: [DMat2::ZERO; MAX_VERTICES], len }
+        Self { pivots: [DMat2::ZERO; N], next: [DMat2::ZERO; N], len }
     }
 
     /// Adds row `j`; None where the matrix is singular.
@@ -321,7 +330,7 @@ impl Blocks {
 
     /// The solution for one right side.
     #[inline]
-    fn solve(&self, mut right: [DVec2; MAX_VERTICES]) -> [DVec2; MAX_VERTICES] {
+    fn solve(&self, mut right: [DVec2; N]) -> [DVec2; N] {
         for j in 1..self.len {
             right[j] -= self.next[j - 1].transpose() * (self.pivots[j - 1] * right[j - 1]);
         }

@@ -1,9 +1,12 @@
 //! Refracted connections: every way in which light gets from a lamp through smooth glass to a point.
 //!
 //! A smooth surface has no chance to scatter into a direction that was chosen from outside, so a shadow ray that meets
-//! glass says nothing. These solvers find the bent paths instead, exactly: through parallel planes ([`planes`]), planes
-//! that are not parallel ([`faces`]), a ball ([`sphere`]) and concentric shells ([`shells`]). They are pure geometry. Fresnel, absorption, what stands in
-//! the way and how far a pane extends are the caller's: it knows the surfaces and gets the points on them.
+//! glass says nothing. These solvers find the bent paths instead: all of them through parallel planes ([`planes`]), planes
+//! that are not parallel ([`faces`]), a ball from outside and inside ([`sphere`]) and concentric shells ([`shells`]); one
+//! of them through any sequence of planes and balls ([`walk`]). What is found depends on the input alone, never on luck.
+//!
+//! They are pure geometry. Fresnel, absorption, what stands in the way and how far a pane extends are the caller's: it
+//! knows the surfaces and gets the points on them.
 //!
 //! Numbers are f64, for the path is the small difference of long lengths and the light that it carries is a derivative
 //! of that; single precision would leave one to three digits. Nothing is allocated.
@@ -25,6 +28,7 @@ pub mod shells;
 pub mod sphere;
 #[cfg(test)]
 mod trial;
+pub mod walk;
 
 /// The most surface points that a chain can have.
 pub const MAX_VERTICES: usize = 16;
@@ -58,13 +62,24 @@ pub struct Chain {
     pub spread: f64,
 }
 
+/// What a path is at its two ends: the fields of [`Chain`].
+#[derive(Clone, Copy)]
+pub(crate) struct PathEnds {
+    pub wx: DVec3,
+    pub wy: DVec3,
+    pub spread: f64,
+}
+
 impl Chain {
     /// A chain that has no vertices yet.
-    pub(crate) fn new(wx: DVec3, wy: DVec3, spread: f64) -> Self {
+    #[inline]
+    pub(crate) fn new(ends: PathEnds) -> Self {
+        let PathEnds { wx, wy, spread } = ends;
         Self { points: [DVec3::ZERO; MAX_VERTICES], len: 0, wx, wy, spread }
     }
 
     /// Adds the next point on the way to the light. The caller keeps to [`MAX_VERTICES`].
+    #[inline]
     pub(crate) fn push(&mut self, p: DVec3) {
         self.points[self.len] = p;
         self.len += 1;
@@ -78,6 +93,7 @@ impl Chain {
     }
 
     /// Whether every number is one that can be used.
+    #[inline]
     pub(crate) fn is_sound(&self) -> bool {
         self.spread.is_finite()
             && self.spread >= 0.0
@@ -96,7 +112,8 @@ pub struct Chains {
 
 impl Default for Chains {
     fn default() -> Self {
-        Self { chains: [Chain::new(DVec3::ZERO, DVec3::ZERO, 0.0); MAX_CHAINS], len: 0 }
+        let none = PathEnds { wx: DVec3::ZERO, wy: DVec3::ZERO, spread: 0.0 };
+        Self { chains: [Chain::new(none); MAX_CHAINS], len: 0 }
     }
 }
 
@@ -114,10 +131,15 @@ impl Chains {
         self.len = 0;
     }
 
-    /// Adds a chain if it is sound and there is room.
-    pub(crate) fn push(&mut self, chain: &Chain) {
-        if self.len < MAX_CHAINS && chain.is_sound() {
-            self.chains[self.len] = *chain;
+    /// Adds a chain with these ends and vertices if it is sound and there is room.
+    #[inline]
+    pub(crate) fn push(&mut self, ends: PathEnds, vertices: impl Iterator<Item = DVec3>) {
+        let Some(chain) = self.chains.get_mut(self.len) else { return };
+        (chain.wx, chain.wy, chain.spread, chain.len) = (ends.wx, ends.wy, ends.spread, 0);
+        for p in vertices {
+            chain.push(p);
+        }
+        if chain.is_sound() {
             self.len += 1;
         }
     }

@@ -6,7 +6,7 @@
 
 use vitrine_math::DVec3;
 
-use super::{Chain, MAX_VERTICES, Target};
+use super::{Chain, MAX_VERTICES, PathEnds, Target};
 
 /// Parallel planes between a receiver and a light.
 #[derive(Clone, Copy, Debug)]
@@ -57,22 +57,23 @@ pub fn connect(x: DVec3, target: Target, stack: &Stack<'_>) -> Option<Chain> {
     let end = Ends::new(x, target, stack.n)?;
     let mut layers = [(0.0, 0.0); MAX_VERTICES + 1];
     let mut at = height;
-    for k in 0..count {
-        let thickness = (stack.offsets[k] - at) * end.up;
-        layers[k] = (thickness, stack.indices[k]);
-        at = stack.offsets[k];
+    for (layer, (&offset, &index)) in layers.iter_mut().zip(stack.offsets.iter().zip(stack.indices)) {
+        *layer = ((offset - at) * end.up, index);
+        at = offset;
     }
     // A distant light counts from the last plane on: its layer has no thickness.
     layers[count] = (end.height.map_or(0.0, |h| (h - at) * end.up), stack.indices[count]);
-    let layers = &layers[..=count];
-    let bend = end.bend(layers)?;
-    let mut chain = end.chain(layers, &bend, [stack.n * end.up, stack.n * -end.up])?;
+    let layers = &mut layers[..=count];
+    settle(layers)?;
+    let normal = stack.n * end.up;
+    let mut slopes = [0.0; MAX_VERTICES + 1];
+    let mut chain = Chain::new(end.bend(layers, [normal, -normal], &mut slopes)?);
     let mut p = x;
-    for &(h, index) in &layers[..count] {
-        p += (stack.n * end.up + end.e * bend.tan(index)) * h;
+    for (&(h, _), tan) in layers[..count].iter().zip(slopes) {
+        p += (normal + end.e * tan) * h;
         chain.push(p);
     }
-    chain.is_sound().then_some(chain)
+    if chain.is_sound() { Some(chain) } else { None }
 }
 
 /// The path through one pane that is reflected inside as `ladder` says, or None if there is none. All vertices are given,
@@ -101,21 +102,22 @@ pub fn connect_pane(x: DVec3, target: Target, pane: &Pane, ladder: Ladder) -> Op
         None => return None,
     };
     // Unfolded, the reflections inside make one thicker layer: (2k+1)d through, 2md back.
-    let layers = [(first, pane.indices[0]), ((vertices - 1) as f64 * d, pane.indices[1]), (rest, last)];
+    let mut layers = [(first, pane.indices[0]), ((vertices - 1) as f64 * d, pane.indices[1]), (rest, last)];
     // Order 0 back does not enter the glass.
-    let outside = [layers[0], layers[2]];
-    let layers = if vertices == 1 { &outside[..] } else { &layers[..] };
-    let bend = end.bend(layers)?;
-    let mut chain = end.chain(layers, &bend, [pane.n * up, pane.n * -out])?;
-    let mut p = x + (pane.n * up + end.e * bend.tan(pane.indices[0])) * first;
+    let mut outside = [layers[0], layers[2]];
+    let layers = if vertices == 1 { &mut outside[..] } else { &mut layers[..] };
+    settle(layers)?;
+    let mut slopes = [0.0; MAX_VERTICES + 1];
+    let mut chain = Chain::new(end.bend(layers, [pane.n * up, pane.n * -out], &mut slopes)?);
+    let mut p = x + (pane.n * up + end.e * slopes[0]) * layers[0].0;
     chain.push(p);
     let mut side = up;
     for _ in 1..vertices {
-        p += (pane.n * side + end.e * bend.tan(pane.indices[1])) * d;
+        p += (pane.n * side + end.e * slopes[1]) * d;
         chain.push(p);
         side = -side;
     }
-    chain.is_sound().then_some(chain)
+    if chain.is_sound() { Some(chain) } else { None }
 }
 
 /// The spread of a path through parallel planes that is known already, in 1/m²: no root is searched.
@@ -127,23 +129,9 @@ pub fn connect_pane(x: DVec3, target: Target, pane: &Pane, ladder: Ladder) -> Op
 #[must_use]
 pub fn spread_of(cos_x: f64, layers: &[(f64, f64)]) -> Option<f64> {
     let nx = layers.first()?.1;
+    let ny = layers.last()?.1;
     // Snell: n²c² = n² − n_x² s_x²
-    spread(layers, |n| (n - nx) * (n + nx) + nx * nx * cos_x * cos_x)
-}
-
-/// The spread dω_x/dω_y of a distant light through parallel planes, for a path that is known already: `cos_x` and `cos_y`
-/// are the cosines of its angles with the normal at the receiver and at the light, `nx` and `ny` the indices there.
-#[inline]
-#[must_use]
-pub fn distant_spread_of(cos_x: f64, cos_y: f64, nx: f64, ny: f64) -> f64 {
-    // n_x² c_x dω_x = n_y² c_y dω_y, the derivative of Snell's law
-    ny * ny * cos_y / (nx * nx * cos_x)
-}
-
-/// dω_x/dA⊥ through `layers`, where `q2` gives n² cos² θ in a medium of the index n.
-#[inline]
-fn spread(layers: &[Layer], q2: impl Fn(f64) -> f64) -> Option<f64> {
-    let (&(_, nx), &(_, ny)) = (layers.first()?, layers.last()?);
+    let q2 = |n: f64| (n - nx) * (n + nx) + nx * nx * cos_x * cos_x;
     let (mut s1, mut s3) = (0.0, 0.0);
     for &(h, n) in layers {
         let q2 = q2(n);
@@ -160,31 +148,13 @@ fn spread(layers: &[Layer], q2: impl Fn(f64) -> f64) -> Option<f64> {
     spread.is_finite().then_some(spread)
 }
 
-/// How steep the path is, as t = tan θ in the medium of the smallest index m.
-struct Bend {
-    m: f64,
-    t: f64,
-}
-
-impl Bend {
-    /// n² cos² θ in a medium of the index `n`: (n²+(n²−m²)t²)/(1+t²).
-    #[inline]
-    fn q2(&self, n: f64) -> f64 {
-        (n * n + (n - self.m) * (n + self.m) * self.t * self.t) / (1.0 + self.t * self.t)
-    }
-
-    /// tan θ in a medium of the index `n`: m t/√(n²+(n²−m²)t²).
-    #[inline]
-    fn tan(&self, n: f64) -> f64 {
-        self.m * self.t / (n * n + (n - self.m) * (n + self.m) * self.t * self.t).sqrt()
-    }
-
-    /// The unit vector at this angle from `normal` towards the unit vector `e`.
-    #[inline]
-    fn direction(&self, n: f64, normal: DVec3, e: DVec3) -> DVec3 {
-        let tan = self.tan(n);
-        (normal + e * tan) / (1.0 + tan * tan).sqrt()
-    }
+/// The spread dω_x/dω_y of a distant light through parallel planes, for a path that is known already: `cos_x` and `cos_y`
+/// are the cosines of its angles with the normal at the receiver and at the light, `nx` and `ny` the indices there.
+#[inline]
+#[must_use]
+pub fn distant_spread_of(cos_x: f64, cos_y: f64, nx: f64, ny: f64) -> f64 {
+    // n_x² c_x dω_x = n_y² c_y dω_y, the derivative of Snell's law
+    ny * ny * cos_y / (nx * nx * cos_x)
 }
 
 /// The two ends seen along the normal.
@@ -218,76 +188,105 @@ impl Ends {
         })
     }
 
-    /// The angle of the path, or None where there is no path.
+    /// t = tan θ in the medium of the smallest index `m`, or None where there is no path.
     #[inline]
-    fn bend(&self, layers: &[Layer]) -> Option<Bend> {
-        let m = layers.iter().fold(f64::INFINITY, |m, l| m.min(l.1));
-        if m <= 0.0 || layers.iter().any(|l| l.0 < 0.0) {
-            return None;
+    fn tangent(&self, layers: &[Layer], m: f64) -> Option<f64> {
+        if self.height.is_some() {
+            return tangent(layers, m, self.r);
         }
-        let t = if self.height.is_some() {
-            tangent(layers, m, self.r)?
-        } else {
-            // The direction at the light is given: p = n_y sin θ_y.
-            let p = layers.last()?.1 * self.r;
-            if p >= m {
-                return None;
-            }
-            p / ((m - p) * (m + p)).sqrt()
-        };
-        Some(Bend { m, t })
+        // The direction at the light is given: p = n_y sin θ_y.
+        let p = layers.last()?.1 * self.r;
+        (p < m).then(|| p / ((m - p) * (m + p)).sqrt())
     }
 
-    /// The chain without its vertices. `normals` point from the receiver and from the light to where the path comes from.
+    /// The ends of the path, and tan θ in each layer as `slopes`. `normals` point from the receiver and from the light to
+    /// where the path comes from.
     #[inline]
-    fn chain(&self, layers: &[Layer], bend: &Bend, normals: [DVec3; 2]) -> Option<Chain> {
-        let (&(_, nx), &(_, ny)) = (layers.first()?, layers.last()?);
-        let wx = bend.direction(nx, normals[0], self.e);
-        let wy = bend.direction(ny, normals[1], -self.e);
+    fn bend(&self, layers: &[Layer], normals: [DVec3; 2], slopes: &mut [f64]) -> Option<PathEnds> {
+        let m = layers.iter().fold(f64::INFINITY, |m, l| m.min(l.1));
+        if m <= 0.0 {
+            return None;
+        }
+        let t = self.tangent(layers, m)?;
+        let (mut s1, mut s3) = (0.0, 0.0);
+        let (mut first, mut inverse) = (0.0, 0.0);
+        for (k, &(h, n)) in layers.iter().enumerate() {
+            // With w = n²+(n²−m²)t² it is n²c² = w/(1+t²) and tan θ = m t/√w; here is 1/√w.
+            inverse = if n == m { 1.0 / m } else { 1.0 / (n * n + (n - m) * (n + m) * t * t).sqrt() };
+            first = if k == 0 { inverse } else { first };
+            slopes[k] = m * t * inverse;
+            s1 += h * inverse;
+            s3 += h * n * n * inverse * inverse * inverse;
+        }
+        let (nx, ny) = (layers[0].1, layers[layers.len() - 1].1);
+        let steep = 1.0 + t * t;
+        let direction = |normal: DVec3, tan: f64| (normal + self.e * tan) / (1.0 + tan * tan).sqrt();
+        let wx = direction(normals[0], slopes[0]);
+        let wy = direction(normals[1], -slopes[layers.len() - 1]);
+        // S₁ = Σ h/(n c) and S₃ = Σ h/(n c³): r = p S₁ and dr/dp = S₃, so dω_x/dA⊥ = 1/(n_x² c_x c_y S₁ S₃)
         let spread = if self.height.is_some() {
-            spread(layers, |n| bend.q2(n))?
+            ny * first * inverse / (nx * s1 * s3 * steep)
         } else {
-            distant_spread_of(normals[0].dot(wx), normals[1].dot(wy), nx, ny)
+            // n_y² c_y/(n_x² c_x)
+            ny * first / (nx * inverse)
         };
-        Some(Chain::new(wx, wy, spread))
+        Some(PathEnds { wx, wy, spread })
     }
+}
+
+/// Takes an end that is on a plane up to rounding for one that is on it; None if one is on the wrong side.
+#[inline]
+fn settle(layers: &mut [Layer]) -> Option<()> {
+    // What single precision can do.
+    let slack = 1e-6 * layers.iter().map(|l| l.0.abs()).sum::<f64>();
+    for layer in layers {
+        if layer.0.is_nan() || layer.0 < -slack {
+            return None;
+        }
+        layer.0 = layer.0.max(0.0);
+    }
+    Some(())
 }
 
 /// t = tan θ in the medium of the smallest index `m`, such that the layers carry the path `r` metres along the planes.
 #[inline]
 fn tangent(layers: &[Layer], m: f64, r: f64) -> Option<f64> {
-    // Layers of the smallest index are straight in t; the others saturate at `cap`.
-    let (mut total, mut linear, mut cap) = (0.0, 0.0, 0.0);
+    // Layers of the smallest index are straight in t; the others saturate, together at `cap`. Of those h m, n², n²−m².
+    let mut curved = [(0.0, 0.0, 0.0); MAX_VERTICES + 1];
+    let (mut count, mut steepest, mut linear, mut cap) = (0, 0.0, 0.0, 0.0);
     for &(h, n) in layers {
-        total += h;
         if n == m {
             linear += h;
         } else {
-            cap += h * m / ((n - m) * (n + m)).sqrt();
+            let rest = (n - m) * (n + m);
+            curved[count] = (h * m, n * n, rest);
+            count += 1;
+            steepest += h * m / n;
+            cap += h * m / rest.sqrt();
         }
     }
-    if total <= 0.0 || (linear <= 0.0 && r >= cap) {
+    steepest += linear;
+    if steepest <= 0.0 || (linear <= 0.0 && r >= cap) {
         return None;
     }
-    // f is increasing and concave, and f(t) ≤ r at both: Newton comes up to the root from below.
-    let mut t = r / total;
+    // f is increasing and concave, steepest at 0, and f ≤ r at both of these: Newton comes up to the root from below.
+    let mut t = r / steepest;
     if linear > 0.0 {
         t = t.max((r - cap) / linear);
     }
     for _ in 0..32 {
         // f(t) = Σ h m t/√(n²+(n²−m²)t²) − r,  f'(t) = Σ h m n²/(n²+(n²−m²)t²)^{3/2}
         let (mut f, mut slope) = (linear * t - r, linear);
-        for &(h, n) in layers {
-            if n != m {
-                let inverse = 1.0 / (n * n + (n - m) * (n + m) * t * t).sqrt();
-                let g = h * m * inverse;
-                f += g * t;
-                slope += g * n * n * inverse * inverse;
-            }
+        for &(hm, n2, rest) in &curved[..count] {
+            let inverse2 = 1.0 / (n2 + rest * t * t);
+            let g = hm * inverse2.sqrt();
+            f += g * t;
+            slope += g * n2 * inverse2;
         }
         let step = f / slope;
         t -= step;
-        if step.abs() <= 1e-10 * t {
+        // The next error is below 3/2 of the square of the last relative step.
+        if step.abs() <= 1e-8 * t {
             break;
         }
     }

@@ -151,7 +151,7 @@ impl Sweep {
             let next = c - f / rate;
             let next = if next > low && next < high { next } else { 0.5 * (low + high) };
             // Θ is level here: half the digits of the place give all of those of Θ.
-            if (next - c).abs() <= 1e-10 * self.high {
+            if (next - c).abs() <= 1e-8 * self.high {
                 return next;
             }
             c = next;
@@ -252,7 +252,7 @@ impl Sweep {
         }
         let mut cuts = [0.0; MAX_PIECES + 1];
         let count = self.cut(&mut cuts);
-        let mut at_low = self.eval(cuts[0]).0;
+        let mut at_low = if cuts[0] == 0.0 { 0.0 } else { self.eval(cuts[0]).0 };
         for k in 1..count {
             let ends = (cuts[k - 1], cuts[k]);
             let at_high = self.eval(ends.1).0;

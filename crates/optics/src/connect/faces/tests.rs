@@ -42,7 +42,7 @@ fn known_way(dice: &mut Dice, mirrors: bool) -> Option<(DVec3, DVec3, DVec3, Vec
 fn every_way_that_a_ray_has_gone_is_found() {
     let mut dice = Dice(21);
     let (mut found, mut compared) = (0, 0);
-    while found < 20_000 {
+    while found < 50_000 {
         let Some((x, start, y, faces)) = known_way(&mut dice, found % 2 == 0) else { continue };
         let target = Target::Point(y);
         let chain = connect(x, target, &faces)

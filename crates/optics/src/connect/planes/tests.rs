@@ -79,6 +79,9 @@ fn a_distant_light_keeps_its_direction_and_a_pane_spreads_nothing() {
         };
         let events = case.events();
         assert!(miss(case.x, target, &chain, &events, 1.0) < 1e-9, "case {k}");
+        let (cos_x, cos_y) = (chain.wx.dot(case.n).abs(), chain.wy.dot(case.n).abs());
+        let known = distant_spread_of(cos_x, cos_y, case.indices[0], case.indices[case.indices.len() - 1]);
+        assert!((chain.spread / known - 1.0).abs() < 1e-6, "case {k}");
         let steep = steepness(&chain, &events);
         if steep > 0.02 {
             let measured = measured_spread(case.x, target, &chain, &events, 3e-4 * steep * steep);
@@ -142,7 +145,7 @@ fn every_reflection_inside_a_pane_obeys_snell_and_spreads_as_measured() {
             let target = Target::Point(n * y_height + slide);
             let chain = connect_pane(x, target, &pane, ladder).unwrap();
             let (first, second) = (Surface::Plane { n, offset: near }, Surface::Plane { n, offset: far });
-            let surface = |k: usize| if k % 2 == 0 { first } else { second };
+            let surface = |k: usize| if k.is_multiple_of(2) { first } else { second };
             let mut events = vec![event(first, 1.0, n1)];
             let count = match ladder {
                 Ladder::Through(k) => 2 * k as usize + 2,
@@ -238,6 +241,10 @@ fn places_without_an_answer_give_none_and_never_nan() {
         }
     }
     assert!(found > 1000, "{found}");
+    // What rounding has moved through a surface is on it.
+    let near = connect(at(0.0, 1e-9), Target::Point(at(0.5, 1.0)), &pane).unwrap();
+    let on = connect(at(0.0, 0.0), Target::Point(at(0.5, 1.0)), &pane).unwrap();
+    assert!((near.wx - on.wx).length() < 1e-8 && (near.vertices()[0] - at(0.0, 0.0)).length() < 1e-8);
     // From the wrong side, and beside one another in the glass.
     assert!(connect(at(0.0, 0.5), Target::Point(at(0.0, 1.0)), &pane).is_none());
     assert!(connect(at(0.0, -0.5), Target::Point(at(0.0, -1.0)), &pane).is_none());

@@ -17,7 +17,13 @@ fn ball(dice: &mut Dice, bubbles: bool) -> Ball {
 
 fn outside(dice: &mut Dice, ball: &Ball) -> DVec3 {
     let share = dice.unit();
-    ball.center + dice.direction() * ball.radius * (1.01 + 5.0 * share * share * share)
+    // Now and then all but touching the ball, or far away.
+    let distance = match (dice.unit() * 20.0) as u32 {
+        0 => 1.0 + 1e-6 + 1e-5 * share,
+        1 => 1000.0,
+        _ => 1.01 + 5.0 * share * share * share,
+    };
+    ball.center + dice.direction() * ball.radius * distance
 }
 
 fn inside(dice: &mut Dice, ball: &Ball) -> DVec3 {
@@ -80,7 +86,11 @@ fn every_way_obeys_snell_and_its_spread_is_the_derivative() {
                 found += 1;
                 let missed = miss(x, target, chain, &events, ball.radius);
                 let steep = steepness(chain, &events);
-                assert!(missed < 1e-9, "{way:?} {k}: off by {missed:e}, steepness {steep}");
+                // From afar the ball is small, and from close by the first leg is short: rounding turns what is measured.
+                let height = |p: DVec3| ((p - ball.center).length() / ball.radius - 1.0).abs();
+                let is_plain = [x, y].iter().all(|&p| (1e-4..100.0).contains(&height(p)));
+                let (most_missed, most) = if is_plain { (1e-9, 1e-5) } else { (1e-8 / steep, 1e-3) };
+                assert!(missed < most_missed, "{way:?} {k}: off by {missed:e}, steepness {steep}");
                 if steep < 0.05 {
                     continue;
                 }
@@ -88,8 +98,8 @@ fn every_way_obeys_snell_and_its_spread_is_the_derivative() {
                 let measured = measured_spread(x, target, chain, &events, 3e-4 * steep * steep * size);
                 let error = (chain.spread / measured - 1.0).abs();
                 assert!(
-                    error < 1e-5,
-                    "{way:?} {k}: {} against {measured}, off by {error:e}, steep {steep} {target:?} {x} {ball:?}",
+                    error < most,
+                    "{way:?} {k}: {} against {measured}: {x} {target:?} {ball:?}",
                     chain.spread
                 );
             }
