@@ -73,6 +73,13 @@ impl Bound {
         self.power * facing * self.radius * self.radius
     }
 
+    /// Whether `p` is no farther from the middle than so many radii.
+    #[inline]
+    pub fn is_near(&self, p: Vec3, radii: f32) -> bool {
+        let reach = radii * self.radius;
+        (p - self.center).length_squared() < reach * reach
+    }
+
     /// About how much light they may bring to `p`: an irradiance, on a surface of normal `n` if one is given. Zero only where no
     /// light of theirs can arrive.
     #[inline]

@@ -108,7 +108,7 @@ impl DistantLights {
         }
         for panorama in &self.panoramas {
             if rest < panorama.irradiance() {
-                return Some(panorama.choose(u).0);
+                return Some(panorama.choose(u));
             }
             rest -= panorama.irradiance();
         }
@@ -116,7 +116,7 @@ impl DistantLights {
             return Some(uniform_direction(n, u));
         }
         // Rounding went past the last part.
-        self.panoramas.last().map(|panorama| panorama.choose(u).0)
+        self.panoramas.last().map(|panorama| panorama.choose(u))
     }
 
     /// The density per steradian with which [`Self::choose`] finds a direction.

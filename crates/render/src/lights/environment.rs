@@ -1,14 +1,17 @@
 //! The radiance of a place all around, from a panorama: how bright a direction is, and how to choose bright ones.
 //!
 //! Texels are chosen row by row and then in their row, by their light (Pharr, Jakob and Humphreys, "Physically Based Rendering", 4th
-//! edition, 12.5). A texel counts with the mean of what the smooth picture between texels shows in it, so nothing bright is
-//! missed; within a texel all directions are alike, by solid angle.
+//! edition, 12.5). Between texels the picture is smooth: each shines as a tent over its neighbours, and that is how a point near
+//! a chosen one is found. So directions are chosen in proportion to their light, without steps from texel to texel.
 
 use super::inversion::Inversion;
 use std::f32::consts::{FRAC_1_PI, PI, TAU};
 use std::sync::Arc;
 use vitrine_math::{Rgb, Vec3};
 use vitrine_scene::RadianceMap;
+
+/// The least sine of the angle to a pole that counts: nearer, no density is larger.
+const POLE: f32 = 1e-6;
 
 /// A panorama that shines.
 #[derive(Clone, Debug)]
@@ -22,36 +25,44 @@ pub struct Panorama {
     rows: Inversion,
     /// The choice of a texel, row after row.
     columns: Vec<Inversion>,
-    /// Where rows lie.
-    bands: Vec<Band>,
+    /// The sines of the angles of the rows' middles from +Y, divided by the mean over all texels of luminance times sine.
+    sines: Vec<f32>,
     /// Mean luminance, scaled.
     mean: f32,
+}
+
+/// Where a direction falls between four texels.
+struct Between {
+    columns: [usize; 2],
+    rows: [usize; 2],
+    /// The shares of the second column and the second row.
+    shares: [f32; 2],
+    /// The distance from the axis.
+    sin: f32,
 }
 
 impl Panorama {
     /// A map that is turned about Y, in radians, and scaled. None where no light is in it.
     pub fn new(map: &Arc<RadianceMap>, turn: f32, scale: Rgb) -> Option<Self> {
         let [width, height] = map.size.map(|n| n as usize);
-        let bands: Vec<Band> = (0..height).map(|row| Band::new(row, height)).collect();
-        let luminance = |row: usize| -> Vec<f32> {
-            map.pixels[row * width..][..width].iter().map(|&texel| (texel * scale).luminance()).collect()
-        };
+        let mut sines: Vec<f32> =
+            (0..height).map(|row| libm::sinf(PI * (row as f32 + 0.5) / height as f32)).collect();
         let (mut columns, mut sums) = (Vec::with_capacity(height), Vec::with_capacity(height));
-        let mut near = [luminance(0), luminance(0), luminance(1.min(height - 1))];
-        for row in 0..height {
-            let weights = cell_means(&near);
-            let sum: f64 = weights.iter().map(|&w| f64::from(w)).sum();
-            sums.push((sum * f64::from(bands[row].height())) as f32);
+        for (row, sine) in map.pixels.chunks_exact(width).zip(&sines) {
+            let weights: Vec<f32> = row.iter().map(|&texel| (texel * scale).luminance()).collect();
+            // f64: millions of texels are added.
+            let sum: f64 = weights.iter().map(|&weight| f64::from(weight)).sum();
+            sums.push((sum / width as f64) as f32 * sine);
             columns.push(Inversion::new(&weights));
-            near.rotate_left(1);
-            near[2] = luminance((row + 2).min(height - 1));
         }
-        let whole: f64 = sums.iter().map(|&sum| f64::from(sum)).sum();
-        let mean = (whole / (2.0 * width as f64)) as f32;
-        let turn = turn / TAU;
-        let panorama =
-            Self { map: map.clone(), turn, scale, rows: Inversion::new(&sums), columns, bands, mean };
-        (mean > 0.0 && mean.is_finite()).then_some(panorama)
+        let whole = sums.iter().map(|&sum| f64::from(sum)).sum::<f64>() / height as f64;
+        let mean = (whole / (sines.iter().map(|&sine| f64::from(sine)).sum::<f64>() / height as f64)) as f32;
+        if !(mean > 0.0 && mean.is_finite()) {
+            return None;
+        }
+        sines.iter_mut().for_each(|sine| *sine = (f64::from(*sine) / whole) as f32);
+        let rows = Inversion::new(&sums);
+        Some(Self { map: map.clone(), turn: turn / TAU, scale, rows, columns, sines, mean })
     }
 
     /// The irradiance that it would bring if it were as bright everywhere as in the mean, as a luminance.
@@ -60,96 +71,71 @@ impl Panorama {
     }
 
     /// The radiance from a direction, smooth between texels.
+    #[inline]
     pub fn le(&self, toward: Vec3) -> Rgb {
-        let [u, v] = self.place(toward);
-        let [width, height] = self.map.size;
-        let (x, y) = (u * width as f32 - 0.5, v * height as f32 - 0.5);
-        let (x0, y0) = (libm::floorf(x), libm::floorf(y));
-        let (tx, ty) = (x - x0, y - y0);
-        // Around the turn the picture goes on at its other side.
-        let wrap = |x: i32| if x < 0 { width - 1 } else { x as u32 % width };
-        let columns = [wrap(x0 as i32), wrap(x0 as i32 + 1)];
-        let row = |y: i32| y.clamp(0, height as i32 - 1) as u32 * width;
-        let across = |y: i32| {
-            let [a, b] = columns.map(|x| self.map.pixels[(row(y) + x) as usize]);
-            a.lerp(b, tx)
-        };
-        across(y0 as i32).lerp(across(y0 as i32 + 1), ty) * self.scale
-    }
-
-    /// A direction and its density per steradian.
-    pub fn choose(&self, u: [f32; 2]) -> (Vec3, f32) {
-        let (row, down, of_row) = self.rows.choose(u[0]);
-        let (column, along, of_column) = self.columns[row].choose(u[1]);
-        let around = (column as f32 + along) / self.map.size[0] as f32 - 0.5 - self.turn;
-        let (sin, cos) = libm::sincosf(TAU * around);
-        let [y, ground] = self.bands[row].at(down);
-        (Vec3::new(ground * sin, y, -ground * cos), of_row * of_column / self.solid_angle(row))
+        self.le_and_pdf(toward).0
     }
 
     /// The density per steradian with which [`Self::choose`] finds a direction.
+    #[inline]
     pub fn pdf(&self, toward: Vec3) -> f32 {
-        let [u, v] = self.place(toward);
-        let cell = |share: f32, n: u32| ((share * n as f32) as usize).min(n as usize - 1);
-        let (row, column) = (cell(v, self.map.size[1]), cell(u, self.map.size[0]));
-        self.rows.share(row) * self.columns[row].share(column) / self.solid_angle(row)
+        self.le_and_pdf(toward).1
     }
 
-    /// Of a texel: (cosθ₀ − cosθ₁)·2π/width
-    fn solid_angle(&self, row: usize) -> f32 {
-        self.bands[row].height() * TAU / self.map.size[0] as f32
+    /// Both at once: most of the work is the same.
+    #[inline]
+    pub fn le_and_pdf(&self, toward: Vec3) -> (Rgb, f32) {
+        let Between { columns, rows, shares, sin } = self.between(toward);
+        let across = |row: usize| {
+            let texels = &self.map.pixels[row * self.map.size[0] as usize..];
+            texels[columns[0]].lerp(texels[columns[1]], shares[0]) * self.scale
+        };
+        let [upper, lower] = rows.map(across);
+        let weights = [upper, lower].map(Rgb::luminance);
+        let (a, b) = (weights[0] * self.sines[rows[0]], weights[1] * self.sines[rows[1]]);
+        // p_ω = p_uv/(2π²·sinθ)
+        let pdf = (a * (1.0 - shares[1]) + b * shares[1]) / (2.0 * PI * PI * sin.max(POLE));
+        (upper.lerp(lower, shares[1]), pdf)
     }
 
-    /// Where in the map a direction is, from 0 to 1 from its left and its top.
-    fn place(&self, toward: Vec3) -> [f32; 2] {
+    /// A direction.
+    pub fn choose(&self, u: [f32; 2]) -> Vec3 {
+        let [width, height] = self.map.size.map(|n| n as f32);
+        let (row, down) = self.rows.choose(u[0]);
+        let (column, along) = self.columns[row].choose(u[1]);
+        let x = (column as f32 + tent(along)) / width;
+        // Beyond the upper and the lower end the picture goes on as its last row: that is the tent folded back.
+        let y = (row as f32 + tent(down)).abs();
+        let y = y.min(2.0 * height - y) / height;
+        let (sin, cos) = libm::sincosf(TAU * (x - 0.5 - self.turn));
+        let (ground, up) = libm::sincosf(PI * y);
+        Vec3::new(ground * sin, up, -ground * cos)
+    }
+
+    #[inline]
+    fn between(&self, toward: Vec3) -> Between {
+        let [width, height] = self.map.size;
         let around = 0.5 + libm::atan2f(toward.x, -toward.z) * (0.5 * FRAC_1_PI) + self.turn;
         let around = around - libm::floorf(around);
-        // Near the poles the arc cosine would lose digits.
-        let ground = (toward.x * toward.x + toward.z * toward.z).sqrt();
-        [around, libm::atan2f(ground, toward.y) * FRAC_1_PI]
+        // By the distance from the axis, for near the poles the arc cosine would lose digits.
+        let sin = (toward.x * toward.x + toward.z * toward.z).sqrt();
+        let down = libm::atan2f(sin, toward.y) * FRAC_1_PI;
+        let (x, y) = (around * width as f32 - 0.5, down * height as f32 - 0.5);
+        let (x0, y0) = (libm::floorf(x), libm::floorf(y));
+        // At its sides the picture goes on at the other side.
+        let column = |x: i32| (if x < 0 { width - 1 } else { x as u32 % width }) as usize;
+        let row = |y: i32| y.clamp(0, height as i32 - 1) as usize;
+        Between {
+            columns: [column(x0 as i32), column(x0 as i32 + 1)],
+            rows: [row(y0 as i32), row(y0 as i32 + 1)],
+            shares: [x - x0, y - y0],
+            sin,
+        }
     }
 }
 
-/// Where a row of texels lies: one less the cosine of the angle to the nearer pole, which keeps digits that the cosine would lose.
-#[derive(Clone, Copy, Debug)]
-struct Band {
-    /// At the row's upper edge.
-    from: f32,
-    /// At the row's lower edge.
-    to: f32,
-    /// The pole's height: 1 of +Y, −1 of −Y.
-    pole: f32,
-}
-
-impl Band {
-    fn new(row: usize, height: usize) -> Self {
-        let is_upper = 2 * row < height;
-        let rest = |edge: usize| {
-            let from_pole = if is_upper { edge } else { height - edge };
-            // 1 − cosθ = 2·sin²(θ/2)
-            let half = libm::sin(std::f64::consts::FRAC_PI_2 * from_pole as f64 / height as f64);
-            (2.0 * half * half) as f32
-        };
-        Self { from: rest(row), to: rest(row + 1), pole: if is_upper { 1.0 } else { -1.0 } }
-    }
-
-    /// The difference of the cosines of its edges.
-    fn height(&self) -> f32 {
-        (self.to - self.from).abs()
-    }
-
-    /// Y and the distance from the axis of a unit vector in it: `down` is 0 at the upper edge and 1 at the lower, even by area.
-    fn at(&self, down: f32) -> [f32; 2] {
-        let rest = self.from + (self.to - self.from) * down;
-        [self.pole * (1.0 - rest), (rest * (2.0 - rest)).max(0.0).sqrt()]
-    }
-}
-
-/// The mean of the smooth picture in each texel of the middle one of three rows: the weights ⅛, ¾, ⅛ both ways, which are the
-/// integrals of the tent over a texel and its neighbours.
-fn cell_means(rows: &[Vec<f32>; 3]) -> Vec<f32> {
-    let mean = |a: f32, b: f32, c: f32| 0.125 * (a + c) + 0.75 * b;
-    let down: Vec<f32> = (0..rows[1].len()).map(|x| mean(rows[0][x], rows[1][x], rows[2][x])).collect();
-    let n = down.len();
-    (0..n).map(|x| mean(down[(x + n - 1) % n], down[x], down[(x + 1) % n])).collect()
+/// A number in [0, 1] as a place between −½ and 1½, with a density that is a tent over ½.
+#[inline]
+fn tent(u: f32) -> f32 {
+    if u < 0.5 { (2.0 * u).sqrt() - 0.5 } else { 1.5 - (2.0 - 2.0 * u).max(0.0).sqrt() }
 }

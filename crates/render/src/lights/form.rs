@@ -45,16 +45,22 @@ impl Form {
         let mut chosen = match self {
             Self::Point(_) => return None,
             Self::Ball(ball) => return ball.choose(p, u),
-            Self::Ellipsoid(ellipsoid) => return ellipsoid.choose(p, u),
-            Self::Cuboid(cuboid) => return cuboid.choose(p, u),
+            Self::Ellipsoid(ellipsoid) => ellipsoid.choose(p, u)?,
+            Self::Cuboid(cuboid) => cuboid.choose(p, u)?,
             Self::Plate(plate) => plate.choose(u),
             Self::Facet(facet) => facet.choose(u),
         };
         let side = chosen.n.dot(p - chosen.y);
-        if side < 0.0 && is_two_sided {
+        let is_turned = side < 0.0 && is_two_sided && self.is_flat();
+        if is_turned {
             chosen.n = -chosen.n;
         }
-        (side > 0.0 || (side < 0.0 && is_two_sided)).then_some(chosen)
+        (side > 0.0 || is_turned).then_some(chosen)
+    }
+
+    /// Whether it has two sides that may shine.
+    const fn is_flat(&self) -> bool {
+        matches!(self, Self::Plate(_) | Self::Facet(_))
     }
 
     /// The density, 1/m², with which [`Self::choose`] finds `y`, a point that is seen from `p` on a side that shines.

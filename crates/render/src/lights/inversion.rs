@@ -23,20 +23,12 @@ impl Inversion {
         Self { sums }
     }
 
-    /// One of them by a number in [0, 1): its index, where in its share the number lies (0 to 1), and its share. Never one whose
-    /// share is 0.
+    /// One of them by a number in [0, 1): its index, and where in its share the number lies, 0 to 1. Never one whose share is 0.
     #[inline]
-    pub fn choose(&self, u: f32) -> (usize, f32, f32) {
+    pub fn choose(&self, u: f32) -> (usize, f32) {
         let after = self.sums.partition_point(|&sum| sum <= u).clamp(1, self.sums.len() - 1);
         let (from, to) = (self.sums[after - 1], self.sums[after]);
-        let share = to - from;
-        (after - 1, ((u - from) / share).clamp(0.0, 1.0), share)
-    }
-
-    /// The probability with which one is chosen.
-    #[inline]
-    pub fn share(&self, i: usize) -> f32 {
-        self.sums[i + 1] - self.sums[i]
+        (after - 1, ((u - from) / (to - from)).clamp(0.0, 1.0))
     }
 }
 
@@ -47,9 +39,8 @@ mod tests {
     #[test]
     fn shares_are_weights_and_what_has_none_is_never_chosen() {
         let held = Inversion::new(&[0.0, 1.0, 0.0, 3.0, 0.0]);
-        assert_eq!([0, 1, 2, 3, 4].map(|i| held.share(i)), [0.0, 0.25, 0.0, 0.75, 0.0]);
         for (u, index, place) in [(0.0, 1, 0.0), (0.125, 1, 0.5), (0.25, 3, 0.0), (0.625, 3, 0.5)] {
-            assert_eq!(held.choose(u), (index, place, held.share(index)), "{u}");
+            assert_eq!(held.choose(u), (index, place), "{u}");
         }
         assert_eq!(held.choose(0.999_999_94).0, 3);
     }

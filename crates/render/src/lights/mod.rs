@@ -36,7 +36,7 @@ use emitters::EmitterTable;
 use form::Form;
 use lamps::{Lamp, LampForm, Lamps};
 use std::f32::consts::PI;
-use tree::LightTree;
+use tree::{Cut, LightTree};
 use vitrine_math::{Ray, Rgb, Vec3, hash};
 use vitrine_scene::lights::Emission;
 
@@ -200,9 +200,9 @@ impl Lights {
             return Some(LightSample { light: DISTANT, at, le: chosen.le, pdf, is_delta: chosen.is_delta });
         }
         let rest = (u_choice - distant) / (1.0 - distant);
-        let (light, of_light) = match &self.tree {
-            Some(tree) => tree.choose(p, n, with_more_digits(rest, u))?,
-            None => weights.choose(rest)?,
+        let (light, of_light) = match (&self.tree, &weights.local) {
+            (Some(tree), Local::Cut(cut)) => tree.choose(cut, p, n, with_more_digits(rest, u))?,
+            (_, local) => local.choose(rest)?,
         };
         let probability = of_light * (1.0 - distant);
         let LocalLight { form, le, is_two_sided } = &self.local[light as usize];
@@ -223,9 +223,9 @@ impl Lights {
         let Some(held) = self.local.get(light as usize) else { return 0.0 };
         let weights = self.weights(p, n);
         let Some(distant) = weights.distant_share() else { return 0.0 };
-        let of_light = match &self.tree {
-            Some(tree) => tree.probability(light, p, n),
-            None => weights.probability(light),
+        let of_light = match (&self.tree, &weights.local) {
+            (Some(tree), Local::Cut(cut)) => tree.probability(cut, light, p, n),
+            (_, local) => local.probability(light),
         };
         held.form.pdf(p, y) * of_light * (1.0 - distant)
     }
@@ -282,57 +282,74 @@ impl Lights {
         self.lamps.intersect(ray, t_max)
     }
 
-    /// About what each light, or all of them, and all distant light bring to `p`.
+    /// About what the lights bring to `p`.
     #[inline]
     fn weights(&self, p: Vec3, n: Option<Vec3>) -> Weights {
-        let mut weights = Weights { each: [0.0; FEW], local: 0.0, distant: self.distant.importance(n) };
-        if let Some(tree) = &self.tree {
-            weights.local = tree.importance(p, n);
-        } else if self.local.len() == 1 && weights.distant == 0.0 {
-            // The only one is chosen always.
-            (weights.each[0], weights.local) = (1.0, 1.0);
+        let distant = self.distant.importance(n);
+        let local = if let Some(tree) = &self.tree {
+            Local::Cut(tree.cut(p, n))
+        } else if self.local.len() == 1 && distant == 0.0 {
+            Local::Only
         } else {
-            for (weight, bound) in weights.each.iter_mut().zip(&self.bounds) {
+            let (mut each, mut sum) = ([0.0; FEW], 0.0);
+            for (weight, bound) in each.iter_mut().zip(&self.bounds) {
                 *weight = bound.importance(p, n);
-                weights.local += *weight;
+                sum += *weight;
             }
-        }
-        weights
+            Local::Each(each, sum)
+        };
+        Weights { local, distant }
     }
 }
 
-/// What the choice of a light goes by.
+/// What the choice of a light goes by: about what lights bring, as irradiances.
 struct Weights {
-    /// Of few lights, each.
-    each: [f32; FEW],
-    /// Of all that have a place.
-    local: f32,
-    /// Of all distant light.
+    /// Those that have a place.
+    local: Local,
+    /// All distant light.
     distant: f32,
+}
+
+/// What the choice among lights with a place goes by.
+enum Local {
+    /// There is one, and nothing else: it is chosen always.
+    Only,
+    /// What each of few brings, and the sum.
+    Each([f32; FEW], f32),
+    /// What groups of many bring.
+    Cut(Cut),
 }
 
 impl Weights {
     /// The probability that distant light is chosen. None where nothing arrives.
     #[inline]
     fn distant_share(&self) -> Option<f32> {
-        match (self.local > 0.0, self.distant > 0.0) {
+        let local = match &self.local {
+            Local::Only => 1.0,
+            Local::Each(_, sum) => *sum,
+            Local::Cut(cut) => cut.sum,
+        };
+        match (local > 0.0, self.distant > 0.0) {
             (false, false) => None,
             (true, false) => Some(0.0),
             (false, true) => Some(1.0),
             (true, true) => {
-                let share = self.distant / (self.local + self.distant);
+                let share = self.distant / (local + self.distant);
                 Some(LEAST_SHARE + (1.0 - 2.0 * LEAST_SHARE) * share)
             }
         }
     }
+}
 
+impl Local {
     /// Chooses one of few lights; gives its probability.
     #[inline]
     fn choose(&self, u: f32) -> Option<(u32, f32)> {
-        let mut rest = u * self.local;
+        let Self::Each(each, sum) = self else { return Some((0, 1.0)) };
+        let mut rest = u * sum;
         let mut last = None;
-        for (light, &weight) in self.each.iter().enumerate().filter(|(_, weight)| **weight > 0.0) {
-            last = Some((light as u32, weight / self.local));
+        for (light, &weight) in (0..).zip(each).filter(|(_, weight)| **weight > 0.0) {
+            last = Some((light, weight / sum));
             if rest < weight {
                 break;
             }
@@ -341,9 +358,14 @@ impl Weights {
         last
     }
 
+    /// The probability with which one of few lights is chosen.
     #[inline]
     fn probability(&self, light: u32) -> f32 {
-        self.each[light as usize] / self.local
+        match self {
+            Self::Each(each, sum) if *sum > 0.0 => each[light as usize] / sum,
+            Self::Each(..) => 0.0,
+            Self::Only | Self::Cut(_) => 1.0,
+        }
     }
 }
 

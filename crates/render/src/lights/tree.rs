@@ -1,5 +1,9 @@
 //! A tree over many lights, to choose one in proportion to about what it brings to a point, in steps that grow with the depth of the
 //! tree only (Conty Estevez and Kulla, "Importance Sampling of Many Lights with Adaptive Tree Splitting", 2018).
+//!
+//! What a group of lights brings is told well from afar only. So groups near the point are split first, up to a fixed number; among
+//! those that this cut through the tree leaves, one is chosen, and from there on down one child of each node (the cut is that of
+//! Walter et al., "Lightcuts", 2005, made from the root down).
 
 use super::bound::Bound;
 use vitrine_math::{Bounds3, Vec3};
@@ -8,6 +12,10 @@ use vitrine_math::{Bounds3, Vec3};
 const BINS: usize = 12;
 /// Below this depth nodes are cut in the middle, so that no tree gets deeper than about 70.
 const DEEP: u32 = 40;
+/// No more groups than these are compared at once.
+const CUT: usize = 48;
+/// A group is split where the point is no farther from it than this many of its radii.
+const NEAR: f32 = 3.0;
 /// No node.
 const NONE: u32 = u32::MAX;
 
@@ -17,6 +25,17 @@ pub struct LightTree {
     nodes: Vec<Node>,
     /// The leaf of each light; [`NONE`] of lights without power.
     leaves: Vec<u32>,
+}
+
+/// Groups of lights that hold each light once, for one point.
+#[derive(Clone, Debug)]
+pub struct Cut {
+    nodes: [u32; CUT],
+    /// About what each group brings.
+    weights: [f32; CUT],
+    count: usize,
+    /// About what all of them bring: an irradiance.
+    pub sum: f32,
 }
 
 #[derive(Clone, Debug)]
@@ -41,19 +60,51 @@ impl LightTree {
         tree
     }
 
-    /// About how much light all of them bring to `p`.
+    /// The groups that are compared for `p`.
     #[inline]
-    pub fn importance(&self, p: Vec3, n: Option<Vec3>) -> f32 {
-        self.nodes.first().map_or(0.0, |root| root.bound.importance(p, n))
+    pub fn cut(&self, p: Vec3, n: Option<Vec3>) -> Cut {
+        let mut cut = Cut { nodes: [0; CUT], weights: [0.0; CUT], count: 0, sum: 0.0 };
+        // Groups wait in a ring, so that splitting goes level by level.
+        let mut waiting = [0_u32; CUT];
+        let (mut first, mut count) = (0, usize::from(!self.nodes.is_empty()));
+        while count > 0 {
+            let at = waiting[first];
+            let node = &self.nodes[at as usize];
+            (first, count) = ((first + 1) % CUT, count - 1);
+            if node.second != 0 && cut.count + count + 2 <= CUT && node.bound.is_near(p, NEAR) {
+                waiting[(first + count) % CUT] = at + 1;
+                waiting[(first + count + 1) % CUT] = node.second;
+                count += 2;
+            } else {
+                let weight = node.bound.importance(p, n);
+                (cut.nodes[cut.count], cut.weights[cut.count]) = (at, weight);
+                cut.count += 1;
+                cut.sum += weight;
+            }
+        }
+        cut
     }
 
-    /// Chooses a light by a number in [0, 1); gives the probability of that. None where a part of the tree was chosen of which
-    /// nothing arrives.
-    pub fn choose(&self, p: Vec3, n: Option<Vec3>, u: f64) -> Option<(u32, f32)> {
+    /// Chooses a light by a number in [0, 1), below the cut for `p`; gives the probability of that. None where a part of the tree was
+    /// chosen of which nothing arrives.
+    pub fn choose(&self, cut: &Cut, p: Vec3, n: Option<Vec3>, u: f64) -> Option<(u32, f32)> {
         // f64: each step takes digits of the number away.
-        let (mut at, mut u, mut probability) = (0, u, 1.0);
+        let mut rest = u * f64::from(cut.sum);
+        let mut found = None;
+        for (&at, weight) in
+            cut.nodes[..cut.count].iter().zip(cut.weights).filter(|(_, weight)| *weight > 0.0)
+        {
+            found = Some((at as usize, weight));
+            if rest < f64::from(weight) {
+                break;
+            }
+            rest -= f64::from(weight);
+        }
+        let (mut at, weight) = found?;
+        let mut probability = weight / cut.sum;
+        let mut u = (rest / f64::from(weight)).min(1.0 - f64::EPSILON);
         loop {
-            let node = self.nodes.get(at)?;
+            let node = &self.nodes[at];
             if node.second == 0 {
                 return Some((node.light, probability));
             }
@@ -72,15 +123,19 @@ impl LightTree {
     }
 
     /// The probability with which [`Self::choose`] gives this light.
-    pub fn probability(&self, light: u32, p: Vec3, n: Option<Vec3>) -> f32 {
+    pub fn probability(&self, cut: &Cut, light: u32, p: Vec3, n: Option<Vec3>) -> f32 {
         let leaf = self.leaves.get(light as usize).copied().unwrap_or(NONE);
-        if leaf == NONE {
+        // A node comes right before all that is below it: the group of a leaf is the last one that does not come after it.
+        let groups = cut.nodes[..cut.count].iter().zip(cut.weights);
+        let group = groups.filter(|(at, _)| **at <= leaf).max_by_key(|(at, _)| **at);
+        let Some((&top, weight)) = group.filter(|_| leaf != NONE) else { return 0.0 };
+        if weight <= 0.0 {
             return 0.0;
         }
-        let (mut at, mut probability) = (leaf as usize, 1.0);
-        while self.nodes[at].parent != NONE {
-            let parent = self.nodes[at].parent as usize;
-            let Some(first) = self.share_of_first(parent, p, n) else { return 0.0 };
+        let (mut at, mut probability) = (leaf, weight / cut.sum);
+        while at != top {
+            let parent = self.nodes[at as usize].parent;
+            let Some(first) = self.share_of_first(parent as usize, p, n) else { return 0.0 };
             probability *= if at == parent + 1 { first } else { 1.0 - first };
             at = parent;
         }

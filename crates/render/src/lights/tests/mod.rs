@@ -1,4 +1,9 @@
-//! Lights against formulas: irradiance by their samples, densities by counts.
+//! Lights against formulas: the irradiance that their samples tell.
+
+mod densities;
+mod edge_cases;
+mod many;
+mod seen;
 
 use super::*;
 use crate::samplers::PathSampler;
