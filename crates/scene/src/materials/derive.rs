@@ -373,6 +373,32 @@ mod tests {
     }
 
     #[test]
+    fn a_named_metal_is_metal_polished_by_hand_of_its_own_colour() {
+        let stated = Material {
+            metal: Some(Metal::Gold),
+            base_color: Some(Rgb::BLACK),
+            shininess: Some(5.0),
+            ..Material::default()
+        };
+        let gold = stated.physical();
+        assert_eq!((gold.metal, gold.base_color), (Some(Metal::Gold), Metal::Gold.color()));
+        assert_eq!((gold.base_metalness, gold.specular_roughness, gold.base_weight), (1.0, 0.1, 1.0));
+        let classic = stated.classic();
+        assert_eq!(classic.color, Metal::Gold.color());
+        assert!((classic.reflectivity - 0.9 * Metal::Gold.color().b).abs() < 1e-6, "{classic:?}");
+        let worn = Material { base_metalness: Some(0.5), specular_roughness: Some(0.4), ..stated };
+        assert_eq!((worn.physical().base_metalness, worn.physical().specular_roughness), (0.5, 0.4));
+    }
+
+    #[test]
+    fn an_abbe_number_alone_turns_dispersion_on() {
+        let flint = Material { transmission_dispersion_abbe_number: Some(30.0), ..Material::default() };
+        assert_eq!(flint.physical().transmission_dispersion_scale, 1.0);
+        let off = Material { transmission_dispersion_scale: Some(0.0), ..flint };
+        assert_eq!(off.physical().transmission_dispersion_scale, 0.0);
+    }
+
+    #[test]
     fn red_glass_of_the_course_work_is_tinted_glass() {
         let red = Rgb::from_hex("#c8281e").unwrap();
         let glass = Material { color: Some(red), transparency: Some(0.8), ..Material::default() }.physical();
