@@ -96,9 +96,10 @@ mod tests {
     use tempfile::TempDir;
     use vitrine_film::Image;
     use vitrine_math::Rgb;
+    use vitrine_scene::lights::Environment;
     use vitrine_scene::shapes::Mesh;
     use vitrine_scene::textures::PictureFile;
-    use vitrine_scene::{Object, Shape, Texture, TextureSource};
+    use vitrine_scene::{Light, LightSource, Object, Shape, Texture, TextureSource};
 
     const MODEL: &str = "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n";
 
@@ -147,6 +148,27 @@ mod tests {
         for texture in &scene.textures {
             assert!(texture.source.as_kind().pattern(&assets).is_some());
         }
+    }
+
+    #[test]
+    fn a_lights_panorama_is_read_and_what_is_wrong_with_it_names_the_light() {
+        let folder = folder("");
+        let light = |file: &str| Light {
+            name: "street".into(),
+            source: LightSource::Environment(Environment { file: file.into(), ..Environment::default() }),
+            ..Light::default()
+        };
+        let scene = |file: &str| Scene { lights: vec![light(file), Light::default()], ..Scene::default() };
+        let (assets, warnings) = load_assets(&scene("models/tex/a.png"), folder.path()).unwrap();
+        assert_eq!(warnings, [""; 0]);
+        assert_eq!(assets.maps[Path::new("models/tex/a.png")].size, [2, 1]);
+        for light in &scene("models/tex/a.png").lights {
+            assert!(light.source.as_kind().emission(&assets).is_some());
+            let is_panorama = light.source.as_kind().file().is_some();
+            assert_eq!(light.source.as_kind().emission(&Assets::default()).is_none(), is_panorama);
+        }
+        let error = load_assets(&scene("models/m.obj"), folder.path()).unwrap_err().to_string();
+        assert!(error.starts_with("light `street`: this is not an OpenEXR, HDR, PNG or JPEG"), "{error}");
     }
 
     #[test]

@@ -6,7 +6,7 @@ use crate::document::{Selection, Thing};
 use crate::theme::{Theme, icons};
 use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Stroke, Vec2, vec2};
 use vitrine::math::Vec3;
-use vitrine::scene::Scene;
+use vitrine::scene::{ListName, Scene};
 
 /// An icon in the picture.
 #[derive(Clone, Debug)]
@@ -30,7 +30,7 @@ pub fn marks(scene: &Scene, selection: &Selection, projection: &Projection) -> V
             thing: Thing::light(&light.name),
             point,
             at: projection.project(point)?,
-            icon: icons::of_kind(light.source.kind()),
+            icon: icons::of_item(ListName::Light, light.source.kind()),
             is_off: !light.visible,
         })
     };

@@ -236,9 +236,10 @@ impl SaveDraft {
 }
 
 /// The renderers to choose from, with the keys of their texts.
-pub const RENDERERS: [(Renderer, &str); 2] = [
+pub const RENDERERS: [(Renderer, &str); 3] = [
     (Renderer::Classic, "dialog-settings-renderer-classic"),
     (Renderer::Cast, "dialog-settings-renderer-cast"),
+    (Renderer::Photoreal, "dialog-settings-renderer-photoreal"),
 ];
 
 fn pixels(v: f64) -> u32 {
