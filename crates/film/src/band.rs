@@ -15,25 +15,20 @@ pub struct Band<'a> {
 }
 
 impl Band<'_> {
-    /// Makes a row of tiles of another film the same as this one.
+    /// Makes a row of tiles of another film the same as this one, as far as that film keeps it.
     ///
     /// # Panics
-    /// When it has another size or keeps something else.
+    /// When it has another size, or keeps what this one does not.
     pub fn copy_to(&self, other: &mut Band<'_>) {
         other.light.copy_from_slice(self.light);
         other.counts.copy_from_slice(self.counts);
-        other.half.copy_from_slice(self.half);
-        other.half_counts.copy_from_slice(self.half_counts);
-        other.features.copy_from_slice(self.features);
-    }
-
-    /// Makes the light alone of a row of tiles of another film the same as this one.
-    ///
-    /// # Panics
-    /// When it has another size.
-    pub fn copy_light_to(&self, other: &mut Band<'_>) {
-        other.light.copy_from_slice(self.light);
-        other.counts.copy_from_slice(self.counts);
+        if !other.half.is_empty() {
+            other.half.copy_from_slice(self.half);
+            other.half_counts.copy_from_slice(self.half_counts);
+        }
+        if !other.features.is_empty() {
+            other.features.copy_from_slice(self.features);
+        }
     }
 
     /// Adds the sums of `count` samples for each pixel of one of its tiles, row by row; `tile` counts from the left.

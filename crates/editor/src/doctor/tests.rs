@@ -186,7 +186,7 @@ fn missing_files_and_warnings_of_models_are_lines() {
 
 #[test]
 fn shares_of_black_white_and_background_are_counted_as_shown() {
-    let settings = Settings { background: Rgb::splat(0.5), ..Settings::default() };
+    let settings = Settings { background: vitrine::math::Rgb::splat(0.5), ..Settings::default() };
     // Mid grey is 188 on a screen; one step of rounding is forgiven.
     let shown = [
         [0, 0, 0],
