@@ -93,6 +93,11 @@ fn an_interrupted_render_goes_on() {
     let bad = folder.run(&arguments("classic", &["--resume=bad.vitrine-state"]));
     bad.fails(1, &["damaged or cut off", "bad.vitrine-state"]);
 
+    // A short render beside it leaves it alone.
+    let short = folder.run_well(&["render", "scene.vitrine.toml", "-o", "scene.jpg"]);
+    assert!(short.err.contains("A stopped render is kept here"), "{}", short.err);
+    assert!(folder.read("scene.vitrine-state") == state);
+
     // From another place, with another display and other limits.
     folder.write("kept/moved.vitrine-state", &state);
     let flags =
