@@ -57,6 +57,12 @@ impl Kept {
     pub fn begin(&mut self, job: &RenderJob, is_quiet: bool) -> Result<Rendered, Failure> {
         self.keeper = self.every.map(|every| StateKeeper::new(self.file.clone(), every));
         if !self.goes_on {
+            if self.file.path().exists() && self.every.is_some() && !is_quiet {
+                console::tell(&format!(
+                    "A stopped render is kept here; this one begins anew and takes its place, unless you go on with --resume: {}",
+                    self.file.path().display()
+                ));
+            }
             return Ok(job.nothing_yet());
         }
         let kept = self.file.load()?;
@@ -80,15 +86,15 @@ impl Kept {
     /// with. What cannot be kept is told, but does not make the render fail.
     pub fn end(self, rendered: Rendered) -> bool {
         let Self { file, every, goes_on, keeper } = self;
-        let was_kept = goes_on || keeper.is_some();
-        let written = keeper.map_or(Ok(()), StateKeeper::finish);
+        let written = keeper.map_or(Ok(false), StateKeeper::finish);
         let is_over = match rendered.ending {
             Ending::Samples | Ending::Noise => true,
             Ending::Time => !goes_on,
             Ending::Unfinished => false,
         };
         if is_over {
-            if was_kept {
+            // One that another render left stays, if this one was too short to take its place.
+            if goes_on || written.is_ok_and(|written| written) {
                 file.remove();
             }
             return false;
@@ -96,7 +102,7 @@ impl Kept {
         if every.is_none() || rendered.film.samples() == 0 {
             return false;
         }
-        let saved = written.and_then(|()| file.save(rendered));
+        let saved = written.and_then(|_| file.save(rendered));
         if let Err(error) = &saved {
             report::show(
                 &[Report::warning(error.to_string()).with_help("the render cannot be gone on with")],

@@ -1,5 +1,6 @@
 //! The picture: a film that accumulates samples, the image that comes out of it, and the view transforms that show it.
 
+mod band;
 mod film;
 mod image;
 mod layers;
@@ -7,7 +8,8 @@ mod noise;
 mod region;
 pub mod tonemap;
 
-pub use film::{Band, Film, FilmParts};
+pub use band::Band;
+pub use film::{Film, FilmParts};
 pub use image::Image;
 pub use layers::{Features, Keep, Layers, TileSums};
 pub use noise::Noise;

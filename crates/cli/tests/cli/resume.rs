@@ -88,10 +88,15 @@ fn an_interrupted_render_goes_on() {
     refused(&["--samples", "65536", "--seed", "7"], &["its `seed` was 0 and now is 7", "--resume"]);
     refused(&["--set", "object.ball.radius=0.5"], &["have changed", "scene.vitrine-state"]);
     refused(&["--region", "0,0,9,9"], &["another part of the picture"]);
-    refused(&["--samples", "1"], &["cannot go on from there"]);
+    refused(&["--samples", "1"], &["a picture of 1 cannot go", "begin anew"]);
     folder.write("bad.vitrine-state", &state[..state.len() / 2]);
     let bad = folder.run(&arguments("classic", &["--resume=bad.vitrine-state"]));
     bad.fails(1, &["damaged or cut off", "bad.vitrine-state"]);
+
+    // A short render beside it leaves it alone.
+    let short = folder.run_well(&["render", "scene.vitrine.toml", "-o", "scene.jpg"]);
+    assert!(short.err.contains("A stopped render is kept here"), "{}", short.err);
+    assert!(folder.read("scene.vitrine-state") == state);
 
     // From another place, with another display and other limits.
     folder.write("kept/moved.vitrine-state", &state);

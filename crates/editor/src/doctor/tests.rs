@@ -5,7 +5,7 @@ use crate::document::Document;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use vitrine::formats::SceneFile;
-use vitrine::math::Vec3;
+use vitrine::math::{Rgb, Vec3};
 use vitrine::scene::shapes::Mesh;
 use vitrine::scene::{Assets, Material, Object, Scene, Shape, TriangleMesh};
 

@@ -72,8 +72,8 @@ impl Display {
     #[must_use]
     pub fn shown(&self, image: &Image) -> Image {
         let correction = self.correction();
-        // `max` gives the other number for NaN.
-        let clamp = |p: Rgb| Rgb::from(p.to_array().map(|v| v.max(0.0).min(1.0)));
+        // NaN is not greater than 0 either.
+        let clamp = |p: Rgb| Rgb::from(p.to_array().map(|v| if v > 0.0 { v.min(1.0) } else { 0.0 }));
         let show = |p: &Rgb| clamp(self.view.linear(correction.apply(*p)));
         Image { size: image.size, pixels: image.pixels.iter().map(show).collect() }
     }

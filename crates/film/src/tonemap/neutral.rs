@@ -16,8 +16,8 @@ const MOST: f32 = 1e9;
 
 /// Linear display light, each channel from 0 to 1.
 pub fn map(color: Rgb) -> Rgb {
-    // `max` gives the other number for NaN.
-    let [r, g, b] = color.to_array().map(|v| v.max(0.0).min(MOST));
+    // NaN is not greater than 0 either.
+    let [r, g, b] = color.to_array().map(|v| if v > 0.0 { v.min(MOST) } else { 0.0 });
     // f = x − x²/(4·F90) where the least channel x ≤ 2·F90, else F90.
     let x = r.min(g).min(b);
     let f = if x <= 2.0 * HAZE { x - x * x / (4.0 * HAZE) } else { HAZE };

@@ -142,7 +142,7 @@ impl Header {
             && (1..=Settings::MAX_PIXELS).contains(&pixels)
             && x.checked_add(width).is_some()
             && y.checked_add(height).is_some();
-        is_sound.then(|| Self {
+        is_sound.then_some(Self {
             texts: [head as usize, settings as usize],
             has_half: half == 1,
             has_features: features == 1,

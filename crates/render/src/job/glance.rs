@@ -5,7 +5,7 @@ use super::{Ending, Rendered};
 use std::sync::PoisonError;
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
-use vitrine_film::{Band, Film, Keep};
+use vitrine_film::{Film, Keep};
 
 /// The least time between two reports of progress.
 const REPORT_EVERY: Duration = Duration::from_millis(100);
@@ -41,24 +41,24 @@ impl Glance<'_, '_> {
     /// their row of tiles takes.
     #[must_use]
     pub fn film(&self) -> Film {
-        self.copy(Keep::Light, |band, copy| band.copy_light_to(copy)).0
+        self.copy(Keep::Light).0
     }
 
     /// A copy of all that there is so far, each tile with whole blocks of samples: the job can go on from it.
     #[must_use]
     pub fn so_far(&self) -> Rendered {
-        let (film, [rays, bad_samples]) = self.copy(self.desk.keep, |band, copy| band.copy_to(copy));
+        let (film, [rays, bad_samples]) = self.copy(self.desk.keep);
         let spent = self.desk.clock.now();
         Rendered { film, ending: Ending::Unfinished, rays, bad_samples, noise: self.desk.noise, spent }
     }
 
     /// A copy of the film, and the rays and bad samples of what is in it.
-    fn copy(&self, keep: Keep, copy_band: impl Fn(&Band, &mut Band)) -> (Film, [u64; 2]) {
+    fn copy(&self, keep: Keep) -> (Film, [u64; 2]) {
         let mut film = Film::keeping(self.desk.plan.region, keep);
         let mut counts = self.desk.before;
         for (merge, mut copy) in self.desk.merges.iter().zip(film.bands()) {
             let merge = merge.lock().unwrap_or_else(PoisonError::into_inner);
-            copy_band(&merge.band, &mut copy);
+            merge.band.copy_to(&mut copy);
             counts = [0, 1].map(|i| counts[i] + merge.counts[i]);
         }
         (film, counts)

@@ -15,6 +15,7 @@ const SHARE: u32 = 20;
 pub struct StateKeeper {
     every: Duration,
     last: Instant,
+    has_written: bool,
     writer: Option<Writer>,
 }
 
@@ -43,7 +44,8 @@ impl StateKeeper {
             }
             result
         });
-        Self { every, last: Instant::now(), writer: Some(Writer { jobs, done, is_busy: false, thread }) }
+        let writer = Some(Writer { jobs, done, is_busy: false, thread });
+        Self { every, last: Instant::now(), has_written: false, writer }
     }
 
     /// Has a look at the job, and keeps how far it is when it is time to.
@@ -57,20 +59,21 @@ impl StateKeeper {
             return;
         }
         self.last = Instant::now();
+        self.has_written = true;
         match writer.jobs.try_send(glance.so_far()) {
             Ok(()) | Err(TrySendError::Full(_)) => writer.is_busy = true,
             Err(TrySendError::Disconnected(_)) => self.writer = None,
         }
     }
 
-    /// Waits until what is being written is on the disc.
+    /// Waits until what is being written is on the disc. Whether anything was.
     ///
     /// # Errors
     /// Why the file could not be written the last time.
-    pub fn finish(self) -> Result<(), Error> {
-        let Some(Writer { jobs, thread, .. }) = self.writer else { return Ok(()) };
+    pub fn finish(self) -> Result<bool, Error> {
+        let Some(Writer { jobs, thread, .. }) = self.writer else { return Ok(self.has_written) };
         drop(jobs);
         // A writer that panicked has said so itself.
-        thread.join().unwrap_or(Ok(()))
+        thread.join().unwrap_or(Ok(())).map(|()| self.has_written)
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::SceneHash;
 use crate::formats::scene_file::print_new;
+use crate::math::{Vec2, Vec3};
 use crate::scene::params::{Params, Value};
 use crate::scene::{Assets, Scene, Settings};
 
@@ -15,8 +16,8 @@ pub fn scene_mark(scene: &Scene, assets: &Assets) -> String {
     for (path, mesh) in &assets.meshes {
         hash = hash.and_text(&path.to_string_lossy());
         hash = hash.and_text(&format!("{:?} {:?}", mesh.parts, mesh.materials));
-        hash = hash.and_numbers(mesh.positions.iter().chain(&mesh.normals).flat_map(|v| v.to_array()));
-        hash = hash.and_numbers(mesh.uvs.iter().flat_map(|v| v.to_array()));
+        hash = hash.and_numbers(mesh.positions.iter().chain(&mesh.normals).flat_map(Vec3::to_array));
+        hash = hash.and_numbers(mesh.uvs.iter().flat_map(Vec2::to_array));
         hash = hash.and_words(mesh.triangles.as_flattened().iter().copied());
     }
     for (path, picture) in &assets.pictures {

@@ -107,7 +107,7 @@ fn a_keeper_keeps_what_a_job_has() {
     let mut keeper = StateKeeper::new(file.clone(), Duration::ZERO);
     let whole =
         job.resume(job.nothing_yet(), 2, &Cancel::default(), &mut |glance| keeper.look(glance)).unwrap();
-    keeper.finish().unwrap();
+    assert!(keeper.finish().unwrap());
     let kept = file.load().unwrap().expect("at least the last look is kept");
     assert!(kept.film.samples() > 0);
     let again = job.resume(kept, 2, &Cancel::default(), &mut |_| {}).unwrap();

@@ -103,7 +103,7 @@ impl Render {
         let mut events = Events::new(self.json);
         let mut kept = self.keep.of(&path, &project, self.region);
         self.send_start(&events, &project, &path);
-        self.show_warnings(&events, Report::warnings_of(&project));
+        self.show_warnings(&events, &Report::warnings_of(&project));
 
         let bar = Bar::new(self.quiet || self.json);
         let mut compiled = picture::compile(&project)?;
@@ -130,10 +130,10 @@ impl Render {
 
         let done = Done::new(&rendered, before, elapsed);
         if done.samples > 0 {
-            self.save(&path, (&project, &compiled), &rendered, done.mark(write_options))?;
+            self.save(&path, (&project, &compiled), &rendered, &done.mark(write_options))?;
         }
         let can_go_on = kept.end(rendered);
-        self.show_warnings(&events, done.warnings());
+        self.show_warnings(&events, &done.warnings());
         let path = (done.samples > 0).then_some(&*path);
         if events.is_on() {
             events.send(&done.event(path, &project, self.threads.count()));
@@ -162,26 +162,26 @@ impl Render {
         path: &Path,
         (project, compiled): (&Project, &CompiledScene),
         rendered: &Rendered,
-        options: WriteOptions,
+        options: &WriteOptions,
     ) -> Result<(), Failure> {
         let image = rendered.film.image();
         if self.layers {
             let layers = layers_of(&project.scene, compiled, &rendered.film, self.threads.count());
-            formats::write_layers(path, &image, &layers, &options)?;
+            formats::write_layers(path, &image, &layers, options)?;
         } else {
-            formats::write_image(path, &image, &options)?;
+            formats::write_image(path, &image, options)?;
         }
         Ok(())
     }
 
-    fn show_warnings(&self, events: &Events, warnings: Vec<Report>) {
-        for warning in &warnings {
+    fn show_warnings(&self, events: &Events, warnings: &[Report]) {
+        for warning in warnings {
             let mut event = warning.to_json();
             event["event"] = "warning".into();
             events.send(&event);
         }
         if !self.quiet {
-            report::show(&warnings);
+            report::show(warnings);
         }
     }
 

@@ -3,6 +3,7 @@
 use super::{Connection, MOST_STEPS, Search, Step, Steps};
 use crate::compile::{AIR, Piece};
 use vitrine_math::DVec3;
+use vitrine_optics::connect::faces::{self, Face as FlatFace};
 use vitrine_optics::connect::planes::{self, Stack};
 use vitrine_optics::connect::sphere::{self, Way};
 use vitrine_optics::connect::{Chain, Chains, Target};
@@ -17,10 +18,11 @@ pub fn flat(search: &Search, steps: &Steps, medium_y: u16) -> Option<Connection>
     let all = steps.all();
     let n = all.first()?.n;
     let is_parallel = all.iter().all(|s| 1.0 - s.n.dot(n).abs() < PARALLEL);
-    if !is_parallel {
-        return None;
-    }
-    let connection = parallel(search, steps, n, medium_y)?;
+    let connection = if is_parallel {
+        parallel(search, steps, n, medium_y)?
+    } else {
+        slanted(search, steps, medium_y)?
+    };
     let is_inside = all.iter().zip(&connection.vertices).all(|(s, v)| is_on_face(search, s, *v));
     is_inside.then_some(connection)
 }
@@ -77,6 +79,24 @@ fn parallel(search: &Search, steps: &Steps, n: DVec3, medium_y: u16) -> Option<C
         connection.wy -= n * (2.0 * n.dot(connection.wy));
     }
     Some(connection)
+}
+
+/// Through faces that are not parallel.
+fn slanted(search: &Search, steps: &Steps, medium_y: u16) -> Option<Connection> {
+    let all = steps.all();
+    let none = FlatFace { point: DVec3::ZERO, n: DVec3::Z, before: 1.0, behind: 1.0, is_mirror: false };
+    let mut flat = [none; MOST_STEPS];
+    for (face, step) in flat.iter_mut().zip(all) {
+        *face = FlatFace {
+            point: step.n * step.offset,
+            n: step.n,
+            before: search.index(step.before),
+            behind: search.index(step.after()),
+            is_mirror: step.reflects,
+        };
+    }
+    let way = faces::connect(search.ends.x, Target::Point(search.ends.y), &flat[..all.len()])?;
+    Some(taken(&way, *steps, medium_y))
 }
 
 /// Whether a vertex lies inside the edges of its face.
