@@ -25,10 +25,12 @@ pub enum Draw {
     ConnectionWavelength = 6,
     /// How far light goes in milky glass.
     Distance = 7,
+    /// Whether faint light is worth a shadow ray: this one and those after it, one for each connection.
+    Faint = 8,
 }
 
 /// How many there are.
-const DRAWS: u32 = 8;
+const DRAWS: u32 = 16;
 /// Those of the camera come first: the place in the pixel, the place in the lens.
 const OF_CAMERA: u32 = 2;
 
@@ -102,6 +104,13 @@ impl Path {
     #[inline]
     pub fn one(&self, draw: Draw) -> f32 {
         self.sampler.one(OF_CAMERA + self.bounce * DRAWS + draw as u32)
+    }
+
+    /// Another number for the same purpose.
+    #[inline]
+    pub fn one_of(&self, draw: Draw, number: usize) -> f32 {
+        let last = DRAWS - 1 - draw as u32;
+        self.sampler.one(OF_CAMERA + self.bounce * DRAWS + draw as u32 + (number as u32).min(last))
     }
 
     /// Two of them.

@@ -22,6 +22,8 @@ use vitrine_optics::{absorption, dispersion, phase, refract};
 
 /// From this vertex on, paths end by chance.
 const ROULETTE_FROM: u32 = 4;
+/// Light that would add less to a pixel than this is faint: a two hundredth of white.
+const FAINT: f32 = 0.005;
 /// The least chance to go on.
 const LEAST_CHANCE: f32 = 0.05;
 
@@ -447,6 +449,10 @@ impl Tools<'_, '_> {
                 (x + double(toward) * photoreal.far, photoreal.far * photoreal.far)
             }
         };
+        if photoreal.solids.clear().is_empty() {
+            self.offer_straight(path, vertex, &sample);
+            return;
+        }
         let is_front = vertex.n == Vec3::ZERO || (y - x).dot(double(vertex.n)) > 0.0;
         let media = if is_front { path.media } else { vertex.sides.media };
         let (wavelength, response) = if path.wavelength == 0.0 && photoreal.has_dispersion {
@@ -457,21 +463,55 @@ impl Tools<'_, '_> {
         let ends = Ends { x, y, media, wavelength };
         self.connector.connect(&photoreal.solids, &ends, None);
         let found = std::mem::take(&mut self.connector.found);
-        for connection in &found {
+        for (number, connection) in found.iter().enumerate() {
             let is_colored = connection.steps.all().iter().any(|s| {
                 [s.before, s.beyond]
                     .iter()
                     .any(|m| photoreal.solids.substance(*m).is_some_and(|m| m.is_dispersive))
             });
             let response = if is_colored { response } else { Rgb::WHITE };
-            self.offer(path, vertex, &sample, &Offer { connection, ends: &ends, square, response, is_front });
+            self.offer(path, vertex, &sample, &Offer { connection, ends: &ends, square, response, is_front, number });
         }
         self.connector.found = found;
     }
 
+    /// Adds the light that comes straight, where there is no glass to connect through.
+    #[inline]
+    fn offer_straight(&mut self, path: &Path, vertex: &Vertex, sample: &LightSample) {
+        let (wi, g, end) = match sample.at {
+            LightPoint::Distant { toward } => (toward, 1.0, None),
+            LightPoint::Point { position } | LightPoint::Surface { position, .. } => {
+                let way = position - vertex.p;
+                let square = way.length_squared();
+                let wi = way / square.sqrt();
+                (wi, cos_at(&sample.at, -wi) / square, Some(position))
+            }
+        };
+        let (f, pdf) = vertex.scattering.eval(vertex.wo, wi);
+        if !(g > 0.0) || f == Rgb::BLACK {
+            return;
+        }
+        let side = if wi.dot(vertex.n) < 0.0 { -vertex.n } else { vertex.n };
+        let media = if wi.dot(vertex.n) < 0.0 { vertex.sides.media } else { path.media };
+        let density = sample.pdf / g + if sample.is_delta { 0.0 } else { pdf };
+        let mut light = path.beta * f * sample.le / density;
+        let from = offset_origin(vertex.p, side, vertex.reach);
+        let solids = &self.task.scene.photoreal.solids;
+        let medium = if solids.is_empty() { AIR } else { media.top(solids) };
+        let to = end.unwrap_or_else(|| from + wi * self.task.scene.photoreal.far as f32);
+        if let Some(inside) = solids.substance(medium).filter(|s| !s.is_empty()) {
+            light = light
+                * absorption::transmittance(inside.absorption + inside.scattering, (to - from).length());
+        }
+        if let Some(light) = worth_tracing(light, || path.one_of(Draw::Faint, 0)) {
+            self.shadows.expect(path.pixel, light);
+            self.shadows.leg(from, beside(&sample.at, to, -wi), medium);
+        }
+    }
+
     /// Adds the light of one connection, if nothing stands in its way.
     fn offer(&mut self, path: &Path, vertex: &Vertex, sample: &LightSample, offer: &Offer) {
-        let Offer { connection, ends, square, response, is_front } = *offer;
+        let Offer { connection, ends, square, response, is_front, number } = *offer;
         let wi = connection.wx.as_vec3();
         let leaves_front = vertex.n == Vec3::ZERO || wi.dot(vertex.n) > 0.0;
         if leaves_front != is_front {
@@ -481,13 +521,7 @@ impl Tools<'_, '_> {
         if f == Rgb::BLACK {
             return;
         }
-        let cos = match sample.at {
-            LightPoint::Surface { n, is_two_sided, .. } => {
-                let cos = connection.wy.as_vec3().dot(n);
-                if is_two_sided { cos.abs() } else { cos.max(0.0) }
-            }
-            LightPoint::Point { .. } | LightPoint::Distant { .. } => 1.0,
-        };
+        let cos = cos_at(&sample.at, connection.wy.as_vec3());
         let g = (connection.spread * square) as f32 * cos;
         if g <= 0.0 {
             return;
@@ -497,9 +531,7 @@ impl Tools<'_, '_> {
         let solids = self.solids();
         let tau = super::connect::transmittance(self.task, solids, connection, ends);
         let light = path.beta * response * f * tau * sample.le / density;
-        if !light.is_finite() || light == Rgb::BLACK {
-            return;
-        }
+        let Some(light) = worth_tracing(light, || path.one_of(Draw::Faint, number)) else { return };
         self.shadows.expect(path.pixel, light);
         self.add_legs(vertex, sample, connection, ends);
     }
@@ -525,15 +557,31 @@ impl Tools<'_, '_> {
             let next = connection.vertices.get(k + 1).filter(|_| k + 1 < steps.len()).unwrap_or(&ends.y);
             d = (*next - v).normalize_or(DVec3::X);
         }
-        let to = match sample.at {
-            LightPoint::Surface { position, n, .. } => {
-                let near = if connection.wy.as_vec3().dot(n) < 0.0 { -n } else { n };
-                offset_origin(position, near, position.abs().max_element())
-            }
-            LightPoint::Point { position } => position,
-            LightPoint::Distant { .. } => ends.y.as_vec3(),
-        };
+        let to = beside(&sample.at, ends.y.as_vec3(), connection.wy.as_vec3());
         self.shadows.leg(from, to, medium);
+    }
+}
+
+/// The cosine between the way of light and the normal where it comes from; 1 where there is no surface.
+#[inline]
+fn cos_at(at: &LightPoint, wy: Vec3) -> f32 {
+    match at {
+        LightPoint::Surface { n, is_two_sided, .. } => {
+            let cos = wy.dot(*n);
+            if *is_two_sided { cos.abs() } else { cos.max(0.0) }
+        }
+        LightPoint::Point { .. } | LightPoint::Distant { .. } => 1.0,
+    }
+}
+
+/// The point where light comes from, a little beside its surface.
+#[inline]
+fn beside(at: &LightPoint, y: Vec3, wy: Vec3) -> Vec3 {
+    match at {
+        LightPoint::Surface { n, .. } => {
+            offset_origin(y, if wy.dot(*n) < 0.0 { -*n } else { *n }, y.abs().max_element())
+        }
+        LightPoint::Point { .. } | LightPoint::Distant { .. } => y,
     }
 }
 
@@ -547,5 +595,20 @@ struct Offer<'a> {
     response: Rgb,
     /// Whether the light comes from the viewer's side.
     is_front: bool,
+    /// Which of the connections it is.
+    number: usize,
+}
+
+/// Light that is worth its shadow rays: faint light is followed only sometimes, and counts for more then.
+#[inline]
+fn worth_tracing(light: Rgb, chance: impl FnOnce() -> f32) -> Option<Rgb> {
+    let largest = light.r.abs().max(light.g.abs()).max(light.b.abs());
+    if !(largest > 0.0 && largest.is_finite()) {
+        return None;
+    }
+    if largest >= FAINT {
+        return Some(light);
+    }
+    (chance() * FAINT < largest).then(|| light * (FAINT / largest))
 }
 

@@ -1,9 +1,8 @@
 //! The faces of clear solids that the straight line from x to y crosses: they say through which a connection is looked for.
 
 use super::super::chain::Face;
-use super::super::media::Media;
 use super::{Ends, Step, Steps};
-use crate::compile::{AIR, Piece, Solids};
+use crate::compile::{Piece, Solids};
 use vitrine_math::{DVec3, Vec3};
 
 /// Crossings nearer to an end than this share of the coordinates are the end's own surface.
@@ -27,8 +26,6 @@ struct Crossing {
 pub struct Crossings {
     all: Vec<Crossing>,
     steps: Option<Steps>,
-    media_y: Media,
-    top_y: u16,
 }
 
 impl Crossings {
@@ -47,11 +44,6 @@ impl Crossings {
     /// The surfaces, one behind the other, at which light is bent; None when one of them is round or there are too many.
     pub const fn steps(&self) -> Option<&Steps> {
         self.steps.as_ref()
-    }
-
-    /// What is at y.
-    pub const fn medium_y(&self) -> u16 {
-        self.top_y
     }
 
     fn walk(&mut self, solids: &Solids, ends: &Ends) {
@@ -78,8 +70,6 @@ impl Crossings {
             }
         }
         self.steps = steps;
-        self.media_y = media;
-        self.top_y = if solids.is_empty() { AIR } else { media.top(solids) };
     }
 
     fn cross(&mut self, solid: u16, piece: &Piece, ends: &Ends) {

@@ -20,7 +20,7 @@ pub use crossings::face_of;
 pub use transmittance::transmittance;
 
 /// The longest way that is solved.
-pub const MOST_STEPS: usize = 12;
+pub const MOST_STEPS: usize = 8;
 /// The most reflections to and fro inside a pane that are solved: the rest carries a millionth of the light.
 const MOST_ECHOES: usize = 2;
 /// The most balls that are tried from each point.
@@ -107,8 +107,6 @@ pub struct Connection {
     pub wy: DVec3,
     /// dω_x/dA⊥: the solid angle at x for each square metre across the way at y.
     pub spread: f64,
-    /// What is at y, or [`AIR`].
-    pub medium_y: u16,
 }
 
 /// The two ends of connections.
@@ -134,53 +132,36 @@ pub struct Connector {
 }
 
 impl Connector {
-    /// All connections, or those along one chain of surfaces alone.
+    /// All connections, or those along one chain of surfaces alone. Where there is no clear solid the straight line is all, and this need
+    /// not be called.
     pub fn connect(&mut self, solids: &Solids, ends: &Ends, only: Option<&Chain>) {
         self.found.clear();
         let search = Search { solids, ends, only };
-        if solids.clear().is_empty() {
-            self.direct(&search, AIR);
-            return;
-        }
         self.crossings.find(solids, ends);
         match self.crossings.steps() {
             Some(steps) if steps.all().is_empty() => {
-                let medium = self.crossings.medium_y();
-                self.direct(&search, medium);
-                self.reflections(&search, medium);
+                self.found.extend(straight(&search));
+                self.reflections(&search);
             }
             Some(steps) => {
-                let (steps, medium) = (*steps, self.crossings.medium_y());
-                self.flat(&search, &steps, medium);
-                self.echoes(&search, &steps, medium);
+                let steps = *steps;
+                self.flat(&search, &steps);
+                self.echoes(&search, &steps);
             }
             None => {}
         }
         self.balls(&search);
     }
 
-    fn direct(&mut self, search: &Search, medium: u16) {
-        if search.wants(&Chain::default()) {
-            let way = search.ends.y - search.ends.x;
-            let distance = way.length();
-            if distance > 0.0 {
-                let wx = way / distance;
-                let spread = 1.0 / (distance * distance);
-                let (steps, vertices) = (Steps::default(), [DVec3::ZERO; MOST_STEPS]);
-                self.found.push(Connection { steps, vertices, wx, wy: -wx, spread, medium_y: medium });
-            }
-        }
-    }
-
     /// Through flat faces.
-    fn flat(&mut self, search: &Search, steps: &Steps, medium: u16) {
+    fn flat(&mut self, search: &Search, steps: &Steps) {
         if search.wants(&steps.chain()) {
-            self.found.extend(solve::flat(search, steps, medium));
+            self.found.extend(solve::flat(search, steps));
         }
     }
 
     /// The same with light that goes to and fro inside one of the panes.
-    fn echoes(&mut self, search: &Search, steps: &Steps, medium: u16) {
+    fn echoes(&mut self, search: &Search, steps: &Steps) {
         let all = steps.all();
         for at in 1..all.len() {
             let (enter, leave) = (all[at - 1], all[at]);
@@ -202,19 +183,19 @@ impl Connector {
                 }
                 fits &= all[at..].iter().all(|s| longer.push(*s));
                 if fits && search.wants(&longer.chain()) {
-                    self.found.extend(solve::flat(search, &longer, medium));
+                    self.found.extend(solve::flat(search, &longer));
                 }
             }
         }
     }
 
     /// Off the faces of panes and off water, where x and y are on one side of them.
-    fn reflections(&mut self, search: &Search, medium: u16) {
+    fn reflections(&mut self, search: &Search) {
         let Search { solids, ends, .. } = search;
         for &solid in solids.clear() {
             match solids.get(solid).piece {
                 Some(Piece::Below { n, offset }) => {
-                    self.reflection(search, (solid, 0, n.as_dvec3(), f64::from(offset)), medium);
+                    self.reflection(search, (solid, 0, n.as_dvec3(), f64::from(offset)));
                 }
                 Some(Piece::Block { center, axes, half }) => {
                     for (k, (axis, half)) in axes.iter().zip(half).enumerate() {
@@ -228,7 +209,7 @@ impl Connector {
                             if (x > half) == (y > half) {
                                 let face = 2 * k as Face + side;
                                 let offset = middle * sign + half;
-                                self.reflection(search, (solid, face, n * sign, offset), medium);
+                                self.reflection(search, (solid, face, n * sign, offset));
                             }
                         }
                     }
@@ -239,7 +220,7 @@ impl Connector {
     }
 
     /// Off one face with that outward normal.
-    fn reflection(&mut self, search: &Search, face: (u16, Face, DVec3, f64), medium: u16) {
+    fn reflection(&mut self, search: &Search, face: (u16, Face, DVec3, f64)) {
         let (solid, face, n, offset) = face;
         let Search { solids, ends, .. } = search;
         let is_outside = n.dot(ends.x) > offset;
@@ -260,7 +241,7 @@ impl Connector {
         let mut steps = Steps::default();
         steps.push(step);
         if search.wants(&steps.chain()) {
-            self.found.extend(solve::flat(search, &steps, medium));
+            self.found.extend(solve::flat(search, &steps));
         }
         // Into the pane, off its far face and out again.
         let Some(Piece::Block { half, .. }) = solids.get(solid).piece else { return };
@@ -282,7 +263,7 @@ impl Connector {
         steps.push(far);
         steps.push(Step { reflects: false, before: solid, beyond: sides.before, ..step });
         if search.wants(&steps.chain()) {
-            self.found.extend(solve::flat(search, &steps, medium));
+            self.found.extend(solve::flat(search, &steps));
         }
     }
 
@@ -297,6 +278,18 @@ impl Connector {
             solve::ball(search, &ball, &mut self.chains, &mut self.found);
         }
     }
+}
+
+/// The straight way, through nothing.
+fn straight(search: &Search) -> Option<Connection> {
+    let way = search.ends.y - search.ends.x;
+    let distance = way.length();
+    if distance == 0.0 || !search.wants(&Chain::default()) {
+        return None;
+    }
+    let (wx, spread) = (way / distance, 1.0 / (distance * distance));
+    let (steps, vertices) = (Steps::default(), [DVec3::ZERO; MOST_STEPS]);
+    Some(Connection { steps, vertices, wx, wy: -wx, spread })
 }
 
 /// What is searched for.

@@ -1,7 +1,7 @@
 //! From a chain of surfaces to the way through them.
 
 use super::{Connection, MOST_STEPS, Search, Step, Steps};
-use crate::compile::{AIR, Piece};
+use crate::compile::Piece;
 use vitrine_math::DVec3;
 use vitrine_optics::connect::faces::{self, Face as FlatFace};
 use vitrine_optics::connect::planes::{self, Stack};
@@ -14,21 +14,21 @@ const PARALLEL: f64 = 1e-9;
 const MOST_INSIDE: u32 = 1;
 
 /// The way through flat faces, if there is one that meets them inside their edges.
-pub fn flat(search: &Search, steps: &Steps, medium_y: u16) -> Option<Connection> {
+pub fn flat(search: &Search, steps: &Steps) -> Option<Connection> {
     let all = steps.all();
     let n = all.first()?.n;
     let is_parallel = all.iter().all(|s| 1.0 - s.n.dot(n).abs() < PARALLEL);
     let connection = if is_parallel {
-        parallel(search, steps, n, medium_y)?
+        parallel(search, steps, n)?
     } else {
-        slanted(search, steps, medium_y)?
+        slanted(search, steps)?
     };
     let is_inside = all.iter().zip(&connection.vertices).all(|(s, v)| is_on_face(search, s, *v));
     is_inside.then_some(connection)
 }
 
 /// Through parallel faces. Where light is reflected, the rest of the way is unfolded: a mirror image of it goes straight on.
-fn parallel(search: &Search, steps: &Steps, n: DVec3, medium_y: u16) -> Option<Connection> {
+fn parallel(search: &Search, steps: &Steps, n: DVec3) -> Option<Connection> {
     let (all, ends) = (steps.all(), search.ends);
     let heights = all.iter().map(|s| s.offset * s.n.dot(n).signum());
     let mut height = n.dot(ends.x);
@@ -67,7 +67,6 @@ fn parallel(search: &Search, steps: &Steps, n: DVec3, medium_y: u16) -> Option<C
         wx: way.wx,
         wy: way.wy,
         spread: way.spread,
-        medium_y,
     };
     for (k, vertex) in way.vertices().iter().enumerate() {
         // Folded back: as far along the faces, at its face's own height.
@@ -82,7 +81,7 @@ fn parallel(search: &Search, steps: &Steps, n: DVec3, medium_y: u16) -> Option<C
 }
 
 /// Through faces that are not parallel.
-fn slanted(search: &Search, steps: &Steps, medium_y: u16) -> Option<Connection> {
+fn slanted(search: &Search, steps: &Steps) -> Option<Connection> {
     let all = steps.all();
     let none = FlatFace { point: DVec3::ZERO, n: DVec3::Z, before: 1.0, behind: 1.0, is_mirror: false };
     let mut flat = [none; MOST_STEPS];
@@ -96,7 +95,7 @@ fn slanted(search: &Search, steps: &Steps, medium_y: u16) -> Option<Connection> 
         };
     }
     let way = faces::connect(search.ends.x, Target::Point(search.ends.y), &flat[..all.len()])?;
-    Some(taken(&way, *steps, medium_y))
+    Some(taken(&way, *steps))
 }
 
 /// Whether a vertex lies inside the edges of its face.
@@ -111,12 +110,12 @@ fn is_on_face(search: &Search, step: &Step, vertex: DVec3) -> bool {
     }
 }
 
-fn taken(way: &Chain, steps: Steps, medium_y: u16) -> Connection {
+fn taken(way: &Chain, steps: Steps) -> Connection {
     let mut vertices = [DVec3::ZERO; MOST_STEPS];
     for (to, from) in vertices.iter_mut().zip(way.vertices()) {
         *to = *from;
     }
-    Connection { steps, vertices, wx: way.wx, wy: way.wy, spread: way.spread, medium_y }
+    Connection { steps, vertices, wx: way.wx, wy: way.wy, spread: way.spread }
 }
 
 /// A clear ball.
@@ -160,7 +159,7 @@ fn through(search: &Search, ball: &Ball, chains: &mut Chains, found: &mut Vec<Co
         }
         chains.clear();
         sphere::connect(ends.x, target, &form, way, chains);
-        found.extend(chains.as_slice().iter().map(|c| with_normals(ball, taken(c, steps, ball.here))));
+        found.extend(chains.as_slice().iter().map(|c| with_normals(ball, taken(c, steps))));
     }
 }
 
@@ -197,9 +196,7 @@ fn out_of(search: &Search, ball: &Ball, chains: &mut Chains, found: &mut Vec<Con
     chains.clear();
     let form = sphere::Ball { center: ball.center, radius: ball.radius, eta };
     sphere::connect(ends.x, Target::Point(ends.y), &form, Way::Out(0), chains);
-    // What lies around the ball lies at y, too, or something is between that is not solved.
-    let medium_y = if sides.beyond == AIR { AIR } else { sides.beyond };
-    found.extend(chains.as_slice().iter().map(|c| with_normals(ball, taken(c, steps, medium_y))));
+    found.extend(chains.as_slice().iter().map(|c| with_normals(ball, taken(c, steps))));
 }
 
 /// With the ball's normals where the way meets it.
