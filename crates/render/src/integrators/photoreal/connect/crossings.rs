@@ -114,7 +114,8 @@ impl Crossings {
                 let center = center.as_dvec3();
                 let (mut near, mut far) = ((f64::NEG_INFINITY, 0_usize, 0.0), (f64::INFINITY, 0_usize, 0.0));
                 for (k, (axis, half)) in axes.iter().zip(half).enumerate() {
-                    let axis = axis.as_dvec3();
+                    // Of unit length in double precision, too.
+                    let axis = axis.as_dvec3().normalize();
                     let (at, slope, half) = (axis.dot(x - center), axis.dot(way), f64::from(*half));
                     if slope == 0.0 {
                         if at.abs() > half {
@@ -133,7 +134,7 @@ impl Crossings {
                 }
                 if near.0 < far.0 {
                     for ((t, k, sign), enters) in [(near, true), (far, false)] {
-                        let n = axes[k].as_dvec3() * sign;
+                        let n = axes[k].as_dvec3().normalize() * sign;
                         let face = 2 * k as Face + Face::from(sign > 0.0);
                         add(t, enters, face, n, n.dot(center) + f64::from(half[k]));
                     }
