@@ -19,6 +19,7 @@ struct Crossing {
     enters: bool,
     /// The outward unit normal of a flat face; zero on a ball.
     n: DVec3,
+    /// ⟨n, p⟩ on a flat face; how far a ball reaches from the origin.
     offset: f64,
 }
 
@@ -84,10 +85,12 @@ impl Crossings {
 
     fn cross(&mut self, solid: u16, piece: &Piece, ends: &Ends) {
         let (x, way) = (ends.x, ends.y - ends.x);
-        let largest = ends.x.abs().max_element().max(ends.y.abs().max_element());
-        let margin = OWN * largest / way.length();
+        // Each end by what its own coordinates and the surface's are rounded to: the sun is a million times as far as the glass is.
+        let length = way.length();
+        let [of_x, of_y] = [ends.x, ends.y].map(|p| p.abs().max_element());
         let mut add = |t: f64, enters: bool, face: Face, n: DVec3, offset: f64| {
-            if t > margin && t < 1.0 - margin {
+            let [near, far] = [of_x, of_y].map(|p| OWN * p.max(offset.abs()) / length);
+            if t > near && t < 1.0 - far {
                 self.all.push(Crossing { t, solid, face, enters, n, offset });
             }
         };
@@ -106,8 +109,9 @@ impl Crossings {
                 let discriminant = f64::from(*radius) * f64::from(*radius) - off.length_squared();
                 if discriminant > 0.0 {
                     let half = (discriminant / a).sqrt();
-                    add(-b / a - half, true, 0, DVec3::ZERO, 0.0);
-                    add(-b / a + half, false, 0, DVec3::ZERO, 0.0);
+                    let reach = center.as_dvec3().length() + f64::from(*radius);
+                    add(-b / a - half, true, 0, DVec3::ZERO, reach);
+                    add(-b / a + half, false, 0, DVec3::ZERO, reach);
                 }
             }
             Piece::Block { center, axes, half } => {
