@@ -172,6 +172,11 @@ impl Solids {
         self.clear.binary_search(&solid).is_ok()
     }
 
+    /// Forgets which ones are clear, so that no connection is solved through any.
+    pub fn forget_clear(&mut self) {
+        self.clear.clear();
+    }
+
     /// Whether there is none.
     pub fn is_empty(&self) -> bool {
         self.list.is_empty()

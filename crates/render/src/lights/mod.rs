@@ -169,7 +169,9 @@ impl Lights {
         };
         let le = limited(le);
         let Some(form) = form.filter(|_| le.luminance() > 0.0) else { return };
-        let light = self.add_local(LocalLight { form, le, is_two_sided: true });
+        // A ball shines outwards alone: bent light may come to a point that x sees from inside the ball.
+        let is_two_sided = !matches!(lamp, Some(LampForm::Ball));
+        let light = self.add_local(LocalLight { form, le, is_two_sided });
         seen.extend(lamp.map(|form| Lamp { form, position, radius, light }));
     }
 

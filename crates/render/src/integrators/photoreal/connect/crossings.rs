@@ -18,6 +18,7 @@ struct Crossing {
     enters: bool,
     /// The outward unit normal of a flat face; zero on a ball.
     n: DVec3,
+    /// ⟨n, p⟩ on a flat face; how far a ball reaches from the origin.
     offset: f64,
 }
 
@@ -74,10 +75,12 @@ impl Crossings {
 
     fn cross(&mut self, solid: u16, piece: &Piece, ends: &Ends) {
         let (x, way) = (ends.x, ends.y - ends.x);
-        let largest = ends.x.abs().max_element().max(ends.y.abs().max_element());
-        let margin = OWN * largest / way.length();
+        // Each end by what its own coordinates and the surface's are rounded to: the sun is a million times as far as the glass is.
+        let length = way.length();
+        let [of_x, of_y] = [ends.x, ends.y].map(|p| p.abs().max_element());
         let mut add = |t: f64, enters: bool, face: Face, n: DVec3, offset: f64| {
-            if t > margin && t < 1.0 - margin {
+            let [near, far] = [of_x, of_y].map(|p| OWN * p.max(offset.abs()) / length);
+            if t > near && t < 1.0 - far {
                 self.all.push(Crossing { t, solid, face, enters, n, offset });
             }
         };
@@ -96,15 +99,17 @@ impl Crossings {
                 let discriminant = f64::from(*radius) * f64::from(*radius) - off.length_squared();
                 if discriminant > 0.0 {
                     let half = (discriminant / a).sqrt();
-                    add(-b / a - half, true, 0, DVec3::ZERO, 0.0);
-                    add(-b / a + half, false, 0, DVec3::ZERO, 0.0);
+                    let reach = center.as_dvec3().length() + f64::from(*radius);
+                    add(-b / a - half, true, 0, DVec3::ZERO, reach);
+                    add(-b / a + half, false, 0, DVec3::ZERO, reach);
                 }
             }
             Piece::Block { center, axes, half } => {
                 let center = center.as_dvec3();
                 let (mut near, mut far) = ((f64::NEG_INFINITY, 0_usize, 0.0), (f64::INFINITY, 0_usize, 0.0));
                 for (k, (axis, half)) in axes.iter().zip(half).enumerate() {
-                    let axis = axis.as_dvec3();
+                    // Of unit length in double precision, too.
+                    let axis = axis.as_dvec3().normalize();
                     let (at, slope, half) = (axis.dot(x - center), axis.dot(way), f64::from(*half));
                     if slope == 0.0 {
                         if at.abs() > half {
@@ -123,7 +128,7 @@ impl Crossings {
                 }
                 if near.0 < far.0 {
                     for ((t, k, sign), enters) in [(near, true), (far, false)] {
-                        let n = axes[k].as_dvec3() * sign;
+                        let n = axes[k].as_dvec3().normalize() * sign;
                         let face = 2 * k as Face + Face::from(sign > 0.0);
                         add(t, enters, face, n, n.dot(center) + f64::from(half[k]));
                     }
