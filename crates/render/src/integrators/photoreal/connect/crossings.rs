@@ -84,10 +84,11 @@ impl Crossings {
 
     fn cross(&mut self, solid: u16, piece: &Piece, ends: &Ends) {
         let (x, way) = (ends.x, ends.y - ends.x);
-        let largest = ends.x.abs().max_element().max(ends.y.abs().max_element());
-        let margin = OWN * largest / way.length();
+        // Each end has a margin of its own: what is infinitely far has coordinates that say nothing of how near x is.
+        let margin = |end: DVec3| OWN * end.abs().max_element().max(size_of(piece)) / way.length();
+        let (margin_x, margin_y) = (margin(ends.x), margin(ends.y));
         let mut add = |t: f64, enters: bool, face: Face, n: DVec3, offset: f64| {
-            if t > margin && t < 1.0 - margin {
+            if t > margin_x && t < 1.0 - margin_y {
                 self.all.push(Crossing { t, solid, face, enters, n, offset });
             }
         };
@@ -141,6 +142,17 @@ impl Crossings {
             }
         }
     }
+}
+
+/// About the largest coordinate of a piece: how exact points of its surface are depends on it.
+#[inline]
+fn size_of(piece: &Piece) -> f64 {
+    let size = match piece {
+        Piece::Below { offset, .. } => offset.abs(),
+        Piece::Ball { center, radius } => center.abs().max_element() + radius,
+        Piece::Block { center, half, .. } => center.abs().max_element() + half[0].max(half[1]).max(half[2]),
+    };
+    f64::from(size)
 }
 
 /// The face of a piece with that outward normal.
