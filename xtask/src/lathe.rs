@@ -103,6 +103,30 @@ pub const GOBLET: Turned = Turned {
     ],
 };
 
+/// A drinking glass, open above.
+pub const TUMBLER: Turned = Turned {
+    about: "A tumbler, 0.1 m high",
+    curve: &[
+        [0.0, 0.0],
+        [0.03, 0.0],
+        [0.03, 0.0],
+        [0.036, 0.1],
+        [0.036, 0.1],
+        [0.035, 0.101],
+        [0.034, 0.1],
+        [0.034, 0.1],
+        [0.0285, 0.012],
+        [0.0285, 0.012],
+        [0.0, 0.012],
+    ],
+};
+
+/// What is in the drinking glass: it reaches a little into the glass.
+pub const DRINK: Turned = Turned {
+    about: "What fills the tumbler, up to 0.07 m",
+    curve: &[[0.0, 0.011], [0.0292, 0.011], [0.0292, 0.011], [0.0328, 0.07], [0.0328, 0.07], [0.0, 0.07]],
+};
+
 const SIDES: usize = 36;
 const STEPS: usize = 3;
 
@@ -187,7 +211,7 @@ mod tests {
 
     #[test]
     fn the_curve_goes_through_its_points_and_normals_are_of_unit_length() {
-        for turned in [BOTTLE, VASE, FOOT, GOBLET] {
+        for turned in [BOTTLE, VASE, FOOT, GOBLET, TUMBLER, DRINK] {
             let rows = rows(turned.curve);
             for point in turned.curve {
                 let there = rows.iter().any(|(p, _)| (p[0] - point[0]).hypot(p[1] - point[1]) < 1e-9);

@@ -12,8 +12,11 @@ pub fn files() -> Vec<Generated> {
         Generated { path: "scenes/coursework/models/cone-162.obj", text: cone_obj(81) },
         Generated { path: "scenes/models/bottle.obj", text: lathe::obj(&lathe::BOTTLE) },
         Generated { path: "scenes/models/cone.obj", text: cone_obj(80) },
+        Generated { path: "scenes/models/drink.obj", text: lathe::obj(&lathe::DRINK) },
         Generated { path: "scenes/models/foot.obj", text: lathe::obj(&lathe::FOOT) },
         Generated { path: "scenes/models/goblet.obj", text: lathe::obj(&lathe::GOBLET) },
+        Generated { path: "scenes/models/prism.obj", text: prism_obj() },
+        Generated { path: "scenes/models/tumbler.obj", text: lathe::obj(&lathe::TUMBLER) },
         Generated { path: "scenes/models/vase.obj", text: lathe::obj(&lathe::VASE) },
     ]
 }
@@ -56,6 +59,20 @@ fn cone_obj(sides: u32) -> String {
         let next = (i + 1) % sides;
         lines.push(format!("f {middle}//{down} {}//{down} {}//{down}", rim + i, rim + next));
     }
+    lines.join("\n") + "\n"
+}
+
+/// A prism as an OBJ file: each side 1 m, lying along Z for 1 m, its base on the ground around the origin.
+fn prism_obj() -> String {
+    let top = libm::sqrt(0.75);
+    let mut lines =
+        vec!["# A prism of equal sides, 1 m wide and long. Made by `cargo xtask models`.".to_owned()];
+    for z in [0.5, -0.5] {
+        for [x, y] in [[-0.5, 0.0], [0.5, 0.0], [0.0, top]] {
+            lines.push(format!("v {} {} {}", number(x), number(y), number(z)));
+        }
+    }
+    lines.extend(["f 1 2 3", "f 4 6 5", "f 1 4 5 2", "f 2 5 6 3", "f 3 6 4 1"].map(str::to_owned));
     lines.join("\n") + "\n"
 }
 

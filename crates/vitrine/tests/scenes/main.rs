@@ -4,6 +4,7 @@
 #![allow(clippy::unwrap_used)]
 
 mod benchmark;
+mod glass;
 mod mirrors;
 mod shadows;
 mod support;
