@@ -8,23 +8,26 @@ use std::fmt::Write;
 use vitrine_math::{Rgb, Transform, Vec3};
 use vitrine_scene::lights::Emission;
 use vitrine_scene::{
-    Assets, ClassicMaterial, Geometry, Material, MeshPart, Object, Pattern, Renderer, Scene, TriangleMesh,
+    Assets, ClassicMaterial, Geometry, LightSource, Material, MeshPart, Object, Pattern, Renderer, Scene,
+    TriangleMesh,
 };
 
 /// Translates a scene.
 ///
 /// # Errors
-/// What the translation does not know: textures other than squares on a plane, refraction, a model that is not among the assets.
+/// What the translation does not know: balls, panoramas and skies that shine, textures other than squares on a plane, refraction, a model that is not among the assets.
 pub fn translate(scene: &Scene, assets: &Assets) -> Result<String, String> {
     if scene.settings.renderer != Renderer::Classic {
         return Err("only the classic renderer has a counterpart".into());
     }
     let mut out = String::new();
     header(&mut out, scene);
-    scene.lights.iter().filter(|l| l.visible).for_each(|light| {
-        let color = rgb(light.color * light.intensity);
-        lamp(&mut out, light.source.as_kind().emission(), &color, scene.settings.shadow_points);
-    });
+    for light in scene.lights.iter().filter(|l| l.visible) {
+        let emission = light.source.as_kind().emission(assets).ok_or("a light's file has not been loaded")?;
+        let color = rgb(light.radiance());
+        lamp(&mut out, &emission, &color, scene.settings.shadow_points)
+            .map_err(|e| format!("light `{}`: {e}", light.name))?;
+    }
     for object in scene.objects.iter().filter(|o| scene.is_seen(o)) {
         body(&mut out, scene, assets, object).map_err(|e| format!("object `{}`: {e}", object.name))?;
     }
@@ -40,8 +43,8 @@ fn header(out: &mut String, scene: &Scene) {
     let ambient = scene
         .lights
         .iter()
-        .filter(|l| l.visible && l.source.as_kind().emission() == Emission::Everywhere)
-        .fold(Rgb::BLACK, |sum, l| sum + l.color * l.intensity);
+        .filter(|l| l.visible && matches!(l.source, LightSource::Ambient(_)))
+        .fold(Rgb::BLACK, |sum, l| sum + l.radiance());
     put!(out, "#version 3.7;");
     put!(out, "global_settings {{");
     put!(out, "  assumed_gamma 1.0");
@@ -68,24 +71,28 @@ fn trace_level(scene: &Scene) -> u32 {
     (scene.settings.depth + 1).max(2)
 }
 
-fn lamp(out: &mut String, emission: Emission, color: &str, shadow_points: u32) {
+fn lamp(out: &mut String, emission: &Emission, color: &str, shadow_points: u32) -> Result<(), String> {
     match emission {
         // In the header: POV-Ray has one such light.
         Emission::Everywhere => {}
-        Emission::Point { position } => put!(out, "light_source {{ {}, {color} }}", vector(position)),
+        Emission::Point { position } => put!(out, "light_source {{ {}, {color} }}", vector(*position)),
         Emission::Direction { travels } => {
-            put!(out, "light_source {{ {}, {color} parallel point_at 0 }}", vector(travels * -1e4));
+            put!(out, "light_source {{ {}, {color} parallel point_at 0 }}", vector(*travels * -1e4));
         }
         Emission::Disc { position, radius } => {
             let side = (shadow_points as f32).sqrt().round().max(1.0);
             let size = 2.0 * radius;
-            put!(out, "light_source {{ {}, {color}", vector(position));
+            put!(out, "light_source {{ {}, {color}", vector(*position));
             put!(
                 out,
                 "  area_light <{size}, 0, 0>, <0, 0, {size}>, {side}, {side} circular jitter area_illumination on }}"
             );
         }
+        Emission::Sphere { .. } | Emission::Environment { .. } | Emission::Sky { .. } => {
+            return Err("such a light is not translated".into());
+        }
     }
+    Ok(())
 }
 
 fn body(out: &mut String, scene: &Scene, assets: &Assets, object: &Object) -> Result<(), String> {

@@ -26,6 +26,11 @@ const LAYERS: &[Layer] = &[
         rule: "film only accumulates and displays: it never learns of the scene",
     },
     Layer {
+        name: "vitrine-denoise",
+        may_use: &["vitrine-math", "vitrine-film"],
+        rule: "denoise turns a picture into a picture: no scene, no rendering, no picture files",
+    },
+    Layer {
         name: "vitrine-scene",
         may_use: &["vitrine-math", "vitrine-optics"],
         rule: "scene is plain data: no files, no rendering, no picture",
@@ -52,6 +57,7 @@ const LAYERS: &[Layer] = &[
             "vitrine-scene",
             "vitrine-formats",
             "vitrine-film",
+            "vitrine-denoise",
             "vitrine-render",
             "vitrine-measure",
         ],
@@ -78,6 +84,7 @@ const LAYERS: &[Layer] = &[
             "vitrine-scene",
             "vitrine-formats",
             "vitrine-film",
+            "vitrine-denoise",
             "vitrine-render",
             "vitrine-measure",
             "vitrine-editor",

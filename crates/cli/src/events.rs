@@ -48,6 +48,7 @@ impl Events {
             "event": "progress",
             "samples_done": progress.samples_done,
             "samples_total": progress.samples_total,
+            "noise": progress.noise,
             "elapsed_seconds": self.started.elapsed().as_secs_f64(),
         }));
     }

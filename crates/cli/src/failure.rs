@@ -3,6 +3,7 @@
 use crate::report::Report;
 use std::process::ExitCode;
 use vitrine::Error;
+use vitrine::denoise::DenoiseError;
 use vitrine::formats::FormatError;
 use vitrine::render::RenderError;
 
@@ -67,9 +68,20 @@ impl From<Error> for Failure {
             Error::Render(RenderError::OtherFilm) => {
                 Self::new(Exit::Failed, Report::error(error.to_string()))
             }
+            Error::Render(RenderError::OtherBlocks { .. }) => Self::new(
+                Exit::Failed,
+                Report::error(error.to_string()).with_help(
+                    "render as many samples as it was begun with, or leave --resume out to begin anew",
+                ),
+            ),
             Error::Render(RenderError::TooLarge { .. }) => {
                 Self::usage(error.to_string(), "give it fewer pixels with --size")
             }
+            Error::OtherRender { .. } => Self::new(
+                Exit::Failed,
+                Report::error(error.to_string())
+                    .with_help("render as it was begun, or leave --resume out to begin anew"),
+            ),
             Error::InTheWay { .. } => Self::new(
                 Exit::Failed,
                 Report::error(error.to_string()).with_help("choose another name, or replace it with --force"),
@@ -82,12 +94,27 @@ impl From<Error> for Failure {
     }
 }
 
+impl From<DenoiseError> for Failure {
+    fn from(error: DenoiseError) -> Self {
+        let exit = match error {
+            DenoiseError::NotFound { .. } | DenoiseError::Failed { .. } => Exit::Failed,
+            DenoiseError::NotWhole { .. } | DenoiseError::OtherSize { .. } | DenoiseError::NormalsAlone => {
+                Exit::BadInput
+            }
+        };
+        Self::new(exit, Report::error(error.to_string()).with_help(error.help()))
+    }
+}
+
 impl From<FormatError> for Failure {
     fn from(error: FormatError) -> Self {
         let exit = match error {
             FormatError::MissingFolder { .. }
             | FormatError::DiscFull { .. }
             | FormatError::Unwritable { .. }
+            | FormatError::NotAState { .. }
+            | FormatError::StateOfOtherVersion { .. }
+            | FormatError::StateDamaged { .. }
             | FormatError::Encode { .. } => Exit::Failed,
             _ => Exit::BadInput,
         };

@@ -6,14 +6,15 @@ use clap::Args;
 use clap::builder::PossibleValuesParser;
 use std::path::Path;
 use vitrine::formats::{self, BitDepth};
-use vitrine::scene::Renderer;
+use vitrine::scene::{Renderer, View};
 use vitrine::{Error, Project, WriteOptions};
 
 /// What stands for values of the scene.
 #[derive(Args, Clone, Debug)]
 #[command(next_help_heading = "In place of what the scene says")]
 pub struct SettingFlags {
-    /// How the picture is made: `classic` with mirrors, transparency and shadows, `cast` without any of them
+    /// How the picture is made: `classic` with mirrors, transparency and shadows, `cast` without any of them, `photoreal`
+    /// with light as it is
     #[arg(long, value_name = "NAME", value_parser = PossibleValuesParser::new(Renderer::WORDS), hide_possible_values = true)]
     pub renderer: Option<String>,
 
@@ -32,6 +33,26 @@ pub struct SettingFlags {
     /// Another number gives other random points of the same quality
     #[arg(long, value_name = "N", value_parser = values::seed, allow_hyphen_values = true)]
     pub seed: Option<u32>,
+
+    /// The picture is done once its noise is this share of its light, such as 0.02, even with fewer samples
+    #[arg(long, value_name = "SHARE", value_parser = values::noise, allow_hyphen_values = true)]
+    pub noise: Option<f32>,
+
+    /// The picture is done after so many seconds, even with fewer samples and more noise
+    #[arg(long, value_name = "SECONDS", value_parser = values::time, allow_hyphen_values = true)]
+    pub time: Option<f32>,
+
+    /// How light becomes the colours of the display: `neutral`, `agx` or `srgb`
+    #[arg(long, value_name = "NAME", value_parser = PossibleValuesParser::new(View::WORDS), hide_possible_values = true)]
+    pub view: Option<String>,
+
+    /// Show the picture brighter by so many stops, or darker below 0; each stop doubles the light
+    #[arg(long, value_name = "STOPS", value_parser = values::exposure, allow_hyphen_values = true)]
+    pub exposure: Option<f32>,
+
+    /// The temperature of the light that is shown as white: 6500 is daylight, 2900 the light of a bulb
+    #[arg(long, value_name = "KELVIN", value_parser = values::white_balance, allow_hyphen_values = true)]
+    pub white_balance: Option<f32>,
 
     /// Change one value, such as object.ball.material.transparency=0.4; may be given several times
     #[arg(long = "set", value_name = "PATH=VALUE")]
@@ -58,6 +79,11 @@ impl SettingFlags {
             self.samples.map(|v| format!("settings.samples={v}")),
             self.depth.map(|v| format!("settings.depth={v}")),
             self.seed.map(|v| format!("settings.seed={v}")),
+            self.noise.map(|v| format!("settings.noise={v:?}")),
+            self.time.map(|v| format!("settings.time_limit={v:?}")),
+            self.view.as_ref().map(|v| format!("settings.view=\"{v}\"")),
+            self.exposure.map(|v| format!("settings.exposure={v:?}")),
+            self.white_balance.map(|v| format!("settings.white_balance={v:?}")),
         ];
         self.set.iter().cloned().chain(flags.into_iter().flatten()).collect()
     }

@@ -2,11 +2,13 @@
 
 mod commands;
 mod console;
+mod denoise;
 mod draw;
 mod events;
 mod failure;
 mod flags;
 mod interrupt;
+mod keep;
 mod output;
 mod picture;
 mod progress;

@@ -20,8 +20,14 @@ impl Bar {
     /// From now on a bar with this word before it; its clock starts.
     pub fn begin(&self, label: impl Into<String>) {
         self.0.reset_elapsed();
-        self.0.set_style(style("{msg} {bar:30} {percent:>3} %, {elapsed} gone, {eta} left"));
+        self.0.set_style(style("{msg} {bar:30} {percent:>3} %, {elapsed} gone, {eta} left{prefix}"));
         self.0.set_message(label.into());
+    }
+
+    /// From now on this word, and no bar.
+    pub fn say(&self, label: &str) {
+        self.0.set_style(style("{msg}"));
+        self.0.set_message(label.to_owned());
     }
 
     /// Shows how far the work is.
@@ -29,6 +35,19 @@ impl Bar {
         self.0.set_length(progress.samples_total);
         self.0.set_position(progress.samples_done);
     }
+
+    /// Shows at the end how many samples each pixel has of those that it gets, and how noisy the picture is.
+    pub fn note(&self, progress: Progress, samples: u32) {
+        let share = u128::from(progress.samples_done) * u128::from(samples);
+        let done = share / u128::from(progress.samples_total.max(1));
+        let noise = progress.noise.map(|n| format!(", noise {}", percent(n))).unwrap_or_default();
+        self.0.set_prefix(format!(", {done} of {samples} samples{noise}"));
+    }
+}
+
+/// A share: "2.3 %".
+pub fn percent(share: f32) -> String {
+    format!("{:.1} %", share * 100.0)
 }
 
 fn style(template: &str) -> ProgressStyle {

@@ -1,5 +1,6 @@
 //! Values on the command line: sizes, regions, numbers with the ranges that the scene allows.
 
+use std::time::Duration;
 use vitrine::Region;
 use vitrine::formats::BitDepth;
 use vitrine::scene::params::Value;
@@ -33,6 +34,41 @@ pub fn depth(text: &str) -> Result<u32, String> {
 /// Seed.
 pub fn seed(text: &str) -> Result<u32, String> {
     whole_number("seed", text)
+}
+
+/// The value of a setting that is a number, checked as in a scene file.
+fn number(key: &str, text: &str) -> Result<f32, String> {
+    let spec = setting(key);
+    let wrong = || format!("it takes {}", spec.allowed());
+    let number: f32 = text.trim().parse().map_err(|_| wrong())?;
+    spec.check(&Value::Number(number)).map_err(|_| wrong())?;
+    Ok(number)
+}
+
+/// The noise at which a picture is clean enough.
+pub fn noise(text: &str) -> Result<f32, String> {
+    number("noise", text)
+}
+
+/// The longest time for a picture, seconds.
+pub fn time(text: &str) -> Result<f32, String> {
+    number("time_limit", text)
+}
+
+/// Stops.
+pub fn exposure(text: &str) -> Result<f32, String> {
+    number("exposure", text)
+}
+
+/// Kelvin.
+pub fn white_balance(text: &str) -> Result<f32, String> {
+    number("white_balance", text)
+}
+
+/// Seconds between two times; 0 stands for never.
+pub fn pause(text: &str) -> Result<Duration, String> {
+    let seconds = text.trim().parse().ok().and_then(|s| Duration::try_from_secs_f64(s).ok());
+    seconds.ok_or_else(|| "it takes seconds such as 30, or 0 for never".into())
 }
 
 /// "809x817", with x, X or ×.
@@ -106,6 +142,18 @@ mod tests {
         assert_eq!(depth("0"), Ok(0));
         assert!(depth("33").is_err());
         assert_eq!(seed("4294967295"), Ok(u32::MAX));
+    }
+
+    #[test]
+    fn noise_time_and_light() {
+        assert_eq!((noise("0.02"), time("90"), exposure("-1.5")), (Ok(0.02), Ok(90.0), Ok(-1.5)));
+        assert_eq!(white_balance("3000"), Ok(3000.0));
+        for bad in ["", "nan", "inf", "x", "-0.1", "2"] {
+            assert!(noise(bad).is_err(), "{bad}");
+        }
+        assert!(time("-1").is_err() && exposure("100").is_err() && white_balance("10").is_err());
+        assert_eq!((pause("0"), pause("0.5")), (Ok(Duration::ZERO), Ok(Duration::from_millis(500))));
+        assert!(pause("-1").is_err() && pause("nan").is_err() && pause("1e300").is_err());
     }
 
     #[test]

@@ -56,9 +56,12 @@ pub enum Action {
     EditDialog(Thing),
     /// Choose a model to add.
     LoadModel,
+    /// Choose a panorama whose light is to be added.
+    LoadPanorama,
     /// Open the dialog «Model settings» for an object that is a model.
     ModelSettings(Thing),
-    /// Choose a file for a parameter: a picture for a texture or for a material's surface, another model for an object.
+    /// Choose a file for a parameter: a picture for a texture or for a material's surface, another model for an object,
+    /// another panorama for a light.
     ChooseFile {
         /// Whose parameter.
         thing: Thing,
@@ -99,10 +102,14 @@ impl NewThing {
         icons::of_item(self.list, self.kind)
     }
 
-    /// Whether it comes from a file, which must be chosen first.
+    /// What adds it: choosing a file if it comes from one, else what `make` says.
     #[must_use]
-    pub fn is_model(self) -> bool {
-        self.list == ListName::Object && self.kind == "mesh"
+    pub fn action(self, make: fn(Self) -> Action) -> Action {
+        match (self.list, self.kind) {
+            (ListName::Object, "mesh") => Action::LoadModel,
+            (ListName::Light, "environment") => Action::LoadPanorama,
+            _ => make(self),
+        }
     }
 }
 

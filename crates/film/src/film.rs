@@ -1,94 +1,113 @@
 //! The film: sums of samples, pixel by pixel.
 
-use crate::Image;
+use crate::{Band, Features, Image, Keep, Region};
 use vitrine_math::Rgb;
-
-/// A part of a picture, in pixels from its upper left corner.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Region {
-    /// Pixels from the left.
-    pub x: u32,
-    /// Pixels from the top.
-    pub y: u32,
-    /// Pixels.
-    pub width: u32,
-    /// Pixels.
-    pub height: u32,
-}
-
-/// A region that is no part of its picture.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error(
-    "the region {},{},{},{} is empty or not inside the picture of {}×{} pixels",
-    region.x, region.y, region.width, region.height, size[0], size[1]
-)]
-pub struct RegionError {
-    /// The region.
-    pub region: Region,
-    /// The picture's width and height.
-    pub size: [u32; 2],
-}
-
-impl Region {
-    /// All of a picture.
-    #[must_use]
-    pub const fn whole(size: [u32; 2]) -> Self {
-        Self { x: 0, y: 0, width: size[0], height: size[1] }
-    }
-
-    /// How many pixels it holds.
-    #[must_use]
-    pub const fn pixels(&self) -> usize {
-        self.width as usize * self.height as usize
-    }
-
-    /// Checks that it is a part of a picture of that size.
-    ///
-    /// # Errors
-    /// When it is empty or reaches beyond the picture.
-    pub fn check_inside(&self, size: [u32; 2]) -> Result<(), RegionError> {
-        let fits = |from: u32, length: u32, all: u32| {
-            length > 0 && from.checked_add(length).is_some_and(|end| end <= all)
-        };
-        if fits(self.x, self.width, size[0]) && fits(self.y, self.height, size[1]) {
-            Ok(())
-        } else {
-            Err(RegionError { region: *self, size })
-        }
-    }
-}
 
 /// Sums of samples for the pixels of a region. It only accumulates, a tile at a time: all pixels of a tile have as many samples.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Film {
-    region: Region,
-    /// Row by row.
-    sums: Vec<[f32; 3]>,
+pub struct Film(FilmParts);
+
+/// A film taken apart, as files keep it. All lists of pixels go row by row, those of tiles as [`Film::tiles`] gives them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FilmParts {
+    /// The part of the picture.
+    pub region: Region,
+    /// The sum of each pixel's samples.
+    pub light: Vec<[f32; 3]>,
     /// Samples of each pixel, by the tile.
-    counts: Vec<u32>,
+    pub counts: Vec<u32>,
+    /// The same sums of every other block of samples; empty where the film does not keep them.
+    pub half: Vec<[f32; 3]>,
+    /// How many samples are in `half`, by the tile; as empty as that.
+    pub half_counts: Vec<u32>,
+    /// Sums of colours and normals, and the depth of the first block's mean; empty where the film does not keep them.
+    pub features: Vec<Features>,
+}
+
+impl FilmParts {
+    /// Whether the lists have the lengths that the region asks for.
+    fn fit(&self) -> bool {
+        let (pixels, tiles) = (self.region.pixels(), Film::tile_count(self.region));
+        let keeps_half = !self.half.is_empty();
+        let half = [self.half.len(), self.half_counts.len()];
+        pixels > 0
+            && [self.light.len(), self.counts.len()] == [pixels, tiles]
+            && half == if keeps_half { [pixels, tiles] } else { [0, 0] }
+            && (self.features.is_empty() || keeps_half && self.features.len() == pixels)
+            && self.half_counts.iter().zip(&self.counts).all(|(half, all)| half <= all)
+    }
 }
 
 impl Film {
     /// The side of a tile in pixels.
     pub const TILE: u32 = 32;
 
-    /// A film without a sample.
+    /// A film without a sample, for light alone.
     #[must_use]
     pub fn new(region: Region) -> Self {
-        let tiles = Self::tiles_across(region) * region.height.div_ceil(Self::TILE) as usize;
-        Self { region, sums: vec![[0.0; 3]; region.pixels()], counts: vec![0; tiles] }
+        Self::keeping(region, Keep::Light)
+    }
+
+    /// A film without a sample that keeps features and what the estimate of noise needs, too.
+    #[must_use]
+    pub fn with_layers(region: Region) -> Self {
+        Self::keeping(region, Keep::Layers)
+    }
+
+    /// A film without a sample.
+    #[must_use]
+    pub fn keeping(region: Region, keep: Keep) -> Self {
+        let (pixels, tiles) = (region.pixels(), Self::tile_count(region));
+        let only_if = |wanted: bool, length: usize| if wanted { length } else { 0 };
+        let halves = keep >= Keep::Halves;
+        Self(FilmParts {
+            region,
+            light: vec![[0.0; 3]; pixels],
+            counts: vec![0; tiles],
+            half: vec![[0.0; 3]; only_if(halves, pixels)],
+            half_counts: vec![0; only_if(halves, tiles)],
+            features: vec![Features::default(); only_if(keep == Keep::Layers, pixels)],
+        })
+    }
+
+    /// Puts a film together; None when the parts do not fit to one another.
+    #[must_use]
+    pub fn from_parts(parts: FilmParts) -> Option<Self> {
+        parts.fit().then_some(Self(parts))
+    }
+
+    /// What it consists of.
+    #[must_use]
+    pub const fn parts(&self) -> &FilmParts {
+        &self.0
     }
 
     /// The part of the picture that it covers.
     #[must_use]
     pub const fn region(&self) -> Region {
-        self.region
+        self.0.region
+    }
+
+    /// What it keeps beside the light.
+    #[must_use]
+    pub fn keep(&self) -> Keep {
+        match (self.0.half.is_empty(), self.0.features.is_empty()) {
+            (true, _) => Keep::Light,
+            (false, true) => Keep::Halves,
+            (false, false) => Keep::Layers,
+        }
     }
 
     /// How many tiles stand side by side in a region.
     #[must_use]
     pub const fn tiles_across(region: Region) -> usize {
         region.width.div_ceil(Self::TILE) as usize
+    }
+
+    /// How many tiles a region has.
+    #[must_use]
+    pub const fn tile_count(region: Region) -> usize {
+        Self::tiles_across(region) * region.height.div_ceil(Self::TILE) as usize
     }
 
     /// The tiles of a region, row by row from the top, each row from the left. In the picture's pixels.
@@ -106,17 +125,31 @@ impl Film {
 
     /// The film cut into rows of tiles, for threads to fill at once.
     pub fn bands(&mut self) -> impl Iterator<Item = Band<'_>> {
-        let width = self.region.width as usize;
-        let sums = self.sums.chunks_mut(width * Self::TILE as usize);
-        let counts = self.counts.chunks_mut(Self::tiles_across(self.region));
-        sums.zip(counts).map(move |(sums, counts)| Band { width, sums, counts })
+        let region = self.0.region;
+        let width = region.width as usize;
+        let (pixels, across) = (width * Self::TILE as usize, Self::tiles_across(region));
+        let parts = &mut self.0;
+        let light = parts.light.chunks_mut(pixels);
+        let counts = parts.counts.chunks_mut(across);
+        // What the film does not keep is an empty piece for each row.
+        let mut half = parts.half.chunks_mut(pixels);
+        let mut half_counts = parts.half_counts.chunks_mut(across);
+        let mut features = parts.features.chunks_mut(pixels);
+        light.zip(counts).map(move |(light, counts)| Band {
+            width,
+            light,
+            counts,
+            half: half.next().unwrap_or_default(),
+            half_counts: half_counts.next().unwrap_or_default(),
+            features: features.next().unwrap_or_default(),
+        })
     }
 
     /// How many samples have been added in all.
     #[must_use]
     pub fn samples(&self) -> u64 {
-        Self::tiles(self.region)
-            .zip(&self.counts)
+        Self::tiles(self.0.region)
+            .zip(&self.0.counts)
             .map(|(t, &count)| t.pixels() as u64 * u64::from(count))
             .sum()
     }
@@ -124,20 +157,42 @@ impl Film {
     /// How many samples each pixel of a tile has, tile by tile as [`Film::tiles`] gives them.
     #[must_use]
     pub fn tile_samples(&self) -> &[u32] {
-        &self.counts
+        &self.0.counts
+    }
+
+    /// How many samples each pixel has, row by row.
+    #[must_use]
+    pub fn pixel_samples(&self) -> Vec<u32> {
+        let width = self.0.region.width as usize;
+        let tile = Self::TILE as usize;
+        let row = |counts: &[u32]| (0..width).map(|x| counts[x / tile]).collect::<Vec<_>>();
+        let rows = self.0.counts.chunks(Self::tiles_across(self.0.region)).map(row);
+        let heights = (0..self.0.region.height as usize).step_by(tile);
+        heights
+            .zip(rows)
+            .flat_map(|(y, row)| row.repeat(tile.min(self.0.region.height as usize - y)))
+            .collect()
     }
 
     /// The mean of each pixel's samples; black where there is none.
     #[must_use]
     pub fn image(&self) -> Image {
-        self.clone().into_image()
+        Self(FilmParts {
+            half: Vec::new(),
+            half_counts: Vec::new(),
+            features: Vec::new(),
+            light: self.0.light.clone(),
+            counts: self.0.counts.clone(),
+            region: self.0.region,
+        })
+        .into_image()
     }
 
     /// The same in place of the film, without a copy.
     #[must_use]
     pub fn into_image(mut self) -> Image {
         for band in self.bands() {
-            for row in band.sums.chunks_exact_mut(band.width) {
+            for row in band.light.chunks_exact_mut(band.width) {
                 for (pixels, &count) in row.chunks_mut(Self::TILE as usize).zip(&*band.counts) {
                     if count > 1 {
                         pixels.as_flattened_mut().iter_mut().for_each(|v| *v /= count as f32);
@@ -145,53 +200,16 @@ impl Film {
                 }
             }
         }
-        let pixels = self.sums.into_iter().map(Rgb::from).collect();
-        Image { size: [self.region.width, self.region.height], pixels }
-    }
-}
-
-/// A row of a film's tiles.
-#[derive(Debug)]
-pub struct Band<'a> {
-    width: usize,
-    sums: &'a mut [[f32; 3]],
-    counts: &'a mut [u32],
-}
-
-impl Band<'_> {
-    /// Makes a row of tiles of another film the same as this one.
-    ///
-    /// # Panics
-    /// When it has another size.
-    pub fn copy_to(&self, other: &mut Band<'_>) {
-        other.sums.copy_from_slice(self.sums);
-        other.counts.copy_from_slice(self.counts);
-    }
-
-    /// Adds the sums of `count` samples for each pixel of one of its tiles, row by row; `tile` counts from the left.
-    ///
-    /// Sums are of floats, so the order of calls for one tile matters to the last bit: the caller keeps it fixed.
-    ///
-    /// # Panics
-    /// When there is no such tile or `sums` has another length.
-    pub fn add_samples(&mut self, tile: usize, sums: &[Rgb], count: u32) {
-        let is_first = self.counts[tile] == 0;
-        let left = tile * Film::TILE as usize;
-        let width = (self.width - left).min(Film::TILE as usize);
-        assert_eq!(sums.len() * self.width, self.sums.len() * width, "one sum a pixel");
-        for (row, sums) in self.sums.chunks_exact_mut(self.width).zip(sums.chunks_exact(width)) {
-            for (to, sum) in row[left..left + width].iter_mut().zip(sums) {
-                // New memory is written at once: to read it first costs another page fault.
-                *to = if is_first { *sum } else { Rgb::from(*to) + *sum }.to_array();
-            }
-        }
-        self.counts[tile] += count;
+        let FilmParts { region, light, .. } = self.0;
+        let pixels = light.into_iter().map(Rgb::from).collect();
+        Image { size: [region.width, region.height], pixels }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::TileSums;
 
     #[test]
     fn tiles_land_where_they_belong_and_means_are_means() {
@@ -202,24 +220,64 @@ mod tests {
         let mut bands: Vec<_> = film.bands().collect();
         assert_eq!((bands.len(), tiles.len()), (2, 4));
         let sums: Vec<_> = (0..32 * 32).map(|i| Rgb::splat(i as f32)).collect();
-        bands[0].add_samples(0, &sums, 1);
-        bands[0].add_samples(0, &sums, 3);
-        bands[1].add_samples(1, &[1.0, 2.0, 3.0].map(Rgb::splat), 1);
+        bands[0].add_samples(0, TileSums::of_light(&sums), 1);
+        bands[0].add_samples(0, TileSums::of_light(&sums), 3);
+        bands[1].add_samples(1, TileSums::of_light(&[1.0, 2.0, 3.0].map(Rgb::splat)), 1);
         let image = film.image();
         assert_eq!(image.pixel(5, 2), Rgb::splat(69.0 * 2.0 / 4.0));
         assert_eq!(image.pixel(32, 2), Rgb::BLACK, "no sample there");
         assert_eq!(image.pixel(32, 33), Rgb::splat(2.0));
         assert_eq!(film.samples(), 4 * 32 * 32 + 3);
+        let samples = film.pixel_samples();
+        assert_eq!(samples.len(), 33 * 35);
+        assert_eq!([samples[31], samples[32], samples[33 * 34], samples[33 * 35 - 1]], [4, 0, 0, 1]);
         assert_eq!(film.into_image(), image);
     }
 
     #[test]
-    fn regions_must_lie_inside() {
-        let size = [100, 50];
-        assert!(Region::whole(size).check_inside(size).is_ok());
-        for bad in [[0, 0, 0, 5], [99, 0, 2, 1], [0, 50, 1, 1], [u32::MAX, 0, 2, 2]] {
-            let [x, y, width, height] = bad;
-            assert!(Region { x, y, width, height }.check_inside(size).is_err(), "{bad:?}");
+    fn both_halves_get_as_many_samples_in_the_long_run() {
+        let mut film = Film::keeping(Region::whole([1, 1]), Keep::Halves);
+        let mut halves = Vec::new();
+        for count in [1, 1, 2, 4, 8, 16, 16, 16, 16, 16] {
+            let sum = [Rgb::splat(count as f32)];
+            film.bands().next().unwrap().add_samples(0, TileSums::of_light(&sum), count);
+            halves.push((film.parts().half_counts[0], film.parts().counts[0]));
         }
+        assert_eq!(halves[..4], [(1, 1), (1, 2), (3, 4), (3, 8)]);
+        assert_eq!(halves[5..], [(11, 32), (27, 48), (27, 64), (43, 80), (43, 96)]);
+        assert_eq!(film.parts().half, [[43.0; 3]]);
+    }
+
+    #[test]
+    fn layers_change_nothing_of_the_light() {
+        let region = Region::whole([40, 3]);
+        let mut films = [Keep::Light, Keep::Halves, Keep::Layers].map(|keep| Film::keeping(region, keep));
+        for film in &mut films {
+            let mut band = film.bands().next().unwrap();
+            for count in [1, 1, 2] {
+                let sums: Vec<_> = (0..8 * 3).map(|i| Rgb::new(0.1, 0.3, i as f32) * count as f32).collect();
+                band.add_samples(1, TileSums::of_light(&sums), count);
+            }
+        }
+        assert_eq!(films[0].image(), films[1].image());
+        assert_eq!(films[0].image(), films[2].image());
+        assert_eq!(films.map(|f| f.keep()), [Keep::Light, Keep::Halves, Keep::Layers]);
+    }
+
+    #[test]
+    fn only_parts_that_fit_make_a_film() {
+        let film = Film::with_layers(Region::whole([40, 3]));
+        assert_eq!(Film::from_parts(film.parts().clone()), Some(film.clone()));
+        let refused = |spoil: fn(&mut FilmParts)| {
+            let mut parts = film.parts().clone();
+            spoil(&mut parts);
+            Film::from_parts(parts).is_none()
+        };
+        assert!(refused(|p| p.region.width = 41));
+        assert!(refused(|p| p.counts.push(0)));
+        assert!(refused(|p| p.half.clear()), "features without a half");
+        assert!(refused(|p| p.half_counts[0] = 1), "more in the half than in all");
+        assert!(refused(|p| p.features.truncate(1)));
+        assert!(!refused(|p| p.features.clear()));
     }
 }

@@ -1,19 +1,19 @@
-//! Reads every model and picture that a scene names.
+//! Reads every model, picture and panorama that a scene names.
 
-use crate::{FormatError, read_mesh, read_picture};
+use crate::{FormatError, read_mesh, read_panorama, read_picture};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use vitrine_scene::{Assets, MeshMaterial, Picture, Scene};
 
-/// Reads every model and picture that a scene names, each once. `folder` is the scene file's. The warnings are one
+/// Reads every model, picture and panorama that a scene names, each once. `folder` is the scene file's. The warnings are one
 /// sentence each, with the path.
 ///
 /// The pictures of models' own materials are keyed by their path relative to the same folder; one that cannot be read is a
 /// warning, and the material keeps its colour.
 ///
 /// # Errors
-/// [`FormatError::Asset`] for the first file that cannot be read, with the object or texture that names it.
+/// [`FormatError::Asset`] for the first file that cannot be read, with the object, texture or light that names it.
 pub fn load_assets(scene: &Scene, folder: &Path) -> Result<(Assets, Vec<String>), FormatError> {
     let mut assets = Assets::default();
     let mut warnings = Vec::new();
@@ -23,6 +23,15 @@ pub fn load_assets(scene: &Scene, folder: &Path) -> Result<(Assets, Vec<String>)
             let picture =
                 named(file, folder, read_picture).map_err(|e| wanted_by("texture", &texture.name, e))?;
             assets.pictures.insert(file.into(), Arc::new(picture));
+        }
+    }
+    for light in &scene.lights {
+        let Some(file) = light.source.as_kind().file() else { continue };
+        if !assets.maps.contains_key(file) {
+            let (map, notes) =
+                named(file, folder, read_panorama).map_err(|e| wanted_by("light", &light.name, e))?;
+            warnings.extend(notes);
+            assets.maps.insert(file.into(), Arc::new(map));
         }
     }
     for object in &scene.objects {
@@ -87,9 +96,10 @@ mod tests {
     use tempfile::TempDir;
     use vitrine_film::Image;
     use vitrine_math::Rgb;
+    use vitrine_scene::lights::Environment;
     use vitrine_scene::shapes::Mesh;
     use vitrine_scene::textures::PictureFile;
-    use vitrine_scene::{Object, Shape, Texture, TextureSource};
+    use vitrine_scene::{Light, LightSource, Object, Shape, Texture, TextureSource};
 
     const MODEL: &str = "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n";
 
@@ -138,6 +148,27 @@ mod tests {
         for texture in &scene.textures {
             assert!(texture.source.as_kind().pattern(&assets).is_some());
         }
+    }
+
+    #[test]
+    fn a_lights_panorama_is_read_and_what_is_wrong_with_it_names_the_light() {
+        let folder = folder("");
+        let light = |file: &str| Light {
+            name: "street".into(),
+            source: LightSource::Environment(Environment { file: file.into(), ..Environment::default() }),
+            ..Light::default()
+        };
+        let scene = |file: &str| Scene { lights: vec![light(file), Light::default()], ..Scene::default() };
+        let (assets, warnings) = load_assets(&scene("models/tex/a.png"), folder.path()).unwrap();
+        assert_eq!(warnings, [""; 0]);
+        assert_eq!(assets.maps[Path::new("models/tex/a.png")].size, [2, 1]);
+        for light in &scene("models/tex/a.png").lights {
+            assert!(light.source.as_kind().emission(&assets).is_some());
+            let is_panorama = light.source.as_kind().file().is_some();
+            assert_eq!(light.source.as_kind().emission(&Assets::default()).is_none(), is_panorama);
+        }
+        let error = load_assets(&scene("models/m.obj"), folder.path()).unwrap_err().to_string();
+        assert!(error.starts_with("light `street`: this is not an OpenEXR, HDR, PNG or JPEG"), "{error}");
     }
 
     #[test]

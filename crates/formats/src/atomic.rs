@@ -13,12 +13,7 @@ use std::path::{Path, PathBuf};
 /// [`FormatError::MissingFolder`], [`FormatError::NotAFile`], [`FormatError::DiscFull`], [`FormatError::Unwritable`]. Then
 /// what was there is unchanged and nothing is left behind.
 pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), FormatError> {
-    let failed = |cause: io::Error| match cause.kind() {
-        io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => {
-            FormatError::DiscFull { path: path.into() }
-        }
-        _ => FormatError::Unwritable { path: path.into(), cause },
-    };
+    let failed = |cause: io::Error| failed(path, cause);
     let there = match fs::metadata(path) {
         Ok(meta) => Some(meta),
         Err(cause) if cause.kind() == io::ErrorKind::NotFound => None,
@@ -40,6 +35,36 @@ pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), FormatError> {
     // The file itself where the path is a symbolic link to it.
     let target = fs::canonicalize(path).map_err(failed)?;
     replace(&target, bytes, Some(meta.permissions())).map_err(failed)
+}
+
+/// The same by way of a temporary file with a name of its own, for a file that is written again and again by a program that may be
+/// killed: what such a one leaves is replaced by the next.
+///
+/// # Errors
+/// As [`write_atomically`].
+pub fn write_through(part: &Path, path: &Path, bytes: &[u8]) -> Result<(), FormatError> {
+    check_folder(path)?;
+    let write = || {
+        let mut file = File::create(part)?;
+        file.write_all(bytes)?;
+        file.sync_all()?;
+        fs::rename(part, path)
+    };
+    write().map_err(|cause| {
+        // The cause counts, not whether the part could be removed.
+        let _ = fs::remove_file(part);
+        failed(path, cause)
+    })
+}
+
+/// Why the file could not be written.
+fn failed(path: &Path, cause: io::Error) -> FormatError {
+    match cause.kind() {
+        io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => {
+            FormatError::DiscFull { path: path.into() }
+        }
+        _ => FormatError::Unwritable { path: path.into(), cause },
+    }
 }
 
 /// That the folder for a new file exists.
@@ -98,6 +123,22 @@ mod tests {
             assert_eq!(fs::read(&path).unwrap(), bytes);
         }
         assert_eq!(names_in(folder.path()), ["a.png"]);
+    }
+
+    #[test]
+    fn what_a_killed_program_left_is_replaced() {
+        let folder = tempfile::tempdir().unwrap();
+        let [path, part] = ["a", "a.part"].map(|name| folder.path().join(name));
+        fs::write(&part, "half of a longer text").unwrap();
+        for bytes in [&b"first"[..], b"second"] {
+            write_through(&part, &path, bytes).unwrap();
+            assert_eq!(fs::read(&path).unwrap(), bytes);
+        }
+        assert_eq!(names_in(folder.path()), ["a"]);
+        fs::create_dir(folder.path().join("folder")).unwrap();
+        let error = write_through(&part, &folder.path().join("folder"), b"x").unwrap_err();
+        assert!(matches!(error, FormatError::Unwritable { .. }), "{error}");
+        assert_eq!(names_in(folder.path()), ["a", "folder"]);
     }
 
     #[test]

@@ -93,6 +93,22 @@ pub enum FormatError {
         /// What it is: "a GIF picture". None: nobody knows.
         found: Option<&'static str>,
     },
+    /// The file's content is no panorama that can be read.
+    #[error("this is not an OpenEXR, HDR, PNG or JPEG picture{}: {}", found.map(|f| format!(" but {f}")).unwrap_or_default(), path.display())]
+    NotAPanorama {
+        /// The file.
+        path: PathBuf,
+        /// What it is: "a GIF picture". None: nobody knows.
+        found: Option<&'static str>,
+    },
+    /// The file is not one with the layers of a picture, or lacks what is needed.
+    #[error("{reason}: {}", path.display())]
+    Layers {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong.
+        reason: &'static str,
+    },
     /// The picture's file ends before the picture does.
     #[error("the picture is cut off, its file ends too early: {}", path.display())]
     PictureCutOff {
@@ -116,6 +132,24 @@ pub enum FormatError {
         path: PathBuf,
         /// The decoder's reason.
         reason: String,
+    },
+    /// The file keeps no render.
+    #[error("this is not a file that keeps a stopped render: {}", path.display())]
+    NotAState {
+        /// The file.
+        path: PathBuf,
+    },
+    /// The file keeps a render of another version of Vitrine.
+    #[error("the stopped render was begun by another version of Vitrine: {}", path.display())]
+    StateOfOtherVersion {
+        /// The file.
+        path: PathBuf,
+    },
+    /// The file keeps a render and is damaged.
+    #[error("the file of the stopped render is damaged or cut off: {}", path.display())]
+    StateDamaged {
+        /// The file.
+        path: PathBuf,
     },
     /// A picture does not fit into its format.
     #[error("the picture does not fit into a {format} file: {reason}")]
@@ -177,9 +211,16 @@ impl FormatError {
             Self::UnknownExtension { supported, .. } => format!("known are {supported}"),
             Self::Model { help, .. } | Self::ModelLine { help, .. } => help.clone(),
             Self::NotAPicture { .. } => "save the picture as PNG or JPEG".into(),
+            Self::NotAPanorama { .. } => "save the panorama as OpenEXR, HDR, PNG or JPEG".into(),
+            Self::Layers { .. } => "save the picture as OpenEXR, in colour".into(),
             Self::PictureCutOff { .. } => "copy or download the picture again".into(),
             Self::PictureTooLarge { .. } => "make the picture smaller".into(),
             Self::PictureDamaged { .. } => "open the picture in another program and save it again".into(),
+            Self::NotAState { .. } => "give the .vitrine-state file that the render left".into(),
+            Self::StateOfOtherVersion { .. } => {
+                "go on with the version that began it, or remove the file and render anew".into()
+            }
+            Self::StateDamaged { .. } => "remove the file and render anew".into(),
             Self::Encode { .. } => "choose another format or a smaller picture".into(),
             Self::MissingFolder { .. } => "create the folder first, or choose another".into(),
             Self::DiscFull { .. } => "make space or choose another disc".into(),

@@ -1,7 +1,7 @@
 //! Linear colour, and the sRGB curve at the edges.
 
 use std::fmt;
-use std::ops::{Add, AddAssign, Div, Mul, MulAssign};
+use std::ops::{Add, AddAssign, Div, Mul, MulAssign, Sub};
 
 /// A colour or a radiance: linear Rec. 709 red, green and blue. Not clamped.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -21,12 +21,14 @@ impl Rgb {
     pub const WHITE: Self = Self::splat(1.0);
 
     /// A colour by its linear channels.
+    #[inline]
     #[must_use]
     pub const fn new(r: f32, g: f32, b: f32) -> Self {
         Self { r, g, b }
     }
 
     /// A grey.
+    #[inline]
     #[must_use]
     pub const fn splat(v: f32) -> Self {
         Self::new(v, v, v)
@@ -47,24 +49,28 @@ impl Rgb {
     }
 
     /// The channels as an array: red, green, blue.
+    #[inline]
     #[must_use]
     pub const fn to_array(self) -> [f32; 3] {
         [self.r, self.g, self.b]
     }
 
     /// Relative luminance (Rec. 709 weights).
+    #[inline]
     #[must_use]
     pub fn luminance(self) -> f32 {
         0.2126 * self.r + 0.7152 * self.g + 0.0722 * self.b
     }
 
     /// Whether no channel is NaN or infinite.
+    #[inline]
     #[must_use]
     pub fn is_finite(self) -> bool {
         self.to_array().iter().all(|c| c.is_finite())
     }
 
     /// `(1 − t) · self + t · other`.
+    #[inline]
     #[must_use]
     pub fn lerp(self, other: Self, t: f32) -> Self {
         self * (1.0 - t) + other * t
@@ -92,6 +98,7 @@ impl Rgb {
 }
 
 impl From<[f32; 3]> for Rgb {
+    #[inline]
     fn from([r, g, b]: [f32; 3]) -> Self {
         Self { r, g, b }
     }
@@ -99,19 +106,30 @@ impl From<[f32; 3]> for Rgb {
 
 impl Add for Rgb {
     type Output = Self;
+    #[inline]
     fn add(self, o: Self) -> Self {
         Self::new(self.r + o.r, self.g + o.g, self.b + o.b)
     }
 }
 
 impl AddAssign for Rgb {
+    #[inline]
     fn add_assign(&mut self, o: Self) {
         *self = *self + o;
     }
 }
 
+impl Sub for Rgb {
+    type Output = Self;
+    #[inline]
+    fn sub(self, o: Self) -> Self {
+        Self::new(self.r - o.r, self.g - o.g, self.b - o.b)
+    }
+}
+
 impl Mul for Rgb {
     type Output = Self;
+    #[inline]
     fn mul(self, o: Self) -> Self {
         Self::new(self.r * o.r, self.g * o.g, self.b * o.b)
     }
@@ -119,12 +137,14 @@ impl Mul for Rgb {
 
 impl Mul<f32> for Rgb {
     type Output = Self;
+    #[inline]
     fn mul(self, s: f32) -> Self {
         Self::new(self.r * s, self.g * s, self.b * s)
     }
 }
 
 impl MulAssign<f32> for Rgb {
+    #[inline]
     fn mul_assign(&mut self, s: f32) {
         *self = *self * s;
     }
@@ -132,6 +152,7 @@ impl MulAssign<f32> for Rgb {
 
 impl Div<f32> for Rgb {
     type Output = Self;
+    #[inline]
     fn div(self, s: f32) -> Self {
         Self::new(self.r / s, self.g / s, self.b / s)
     }

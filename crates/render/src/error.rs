@@ -140,6 +140,16 @@ pub enum RenderError {
     /// A film that another job has left.
     #[error("the picture so far belongs to other settings")]
     OtherFilm,
+    /// A film whose samples are cut into other blocks, or that has more of them than wanted.
+    #[error(
+        "a part of the picture so far has {samples} samples for each pixel, and a picture of {wanted} cannot go on from there"
+    )]
+    OtherBlocks {
+        /// Samples of each pixel of the part.
+        samples: u32,
+        /// Samples that each pixel is to have.
+        wanted: u32,
+    },
     /// The picture is too large.
     #[error("a picture of {width} × {height} pixels is too large: {limit} pixels at most")]
     TooLarge {

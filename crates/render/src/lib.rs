@@ -15,5 +15,5 @@ mod surface;
 
 pub use compile::{CompileOptions, CompiledScene, compile, compile_with, memory_limit};
 pub use error::{CompileError, ModelFlaw, RenderError};
-pub use job::{Cancel, Glance, Progress, RenderJob, RenderOptions, Rendered};
+pub use job::{Cancel, Ending, Glance, Progress, RenderJob, RenderOptions, Rendered};
 pub use pick::{NO_OBJECT, Picked};

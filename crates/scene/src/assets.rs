@@ -124,3 +124,20 @@ impl RadianceMap {
         Rgb::from(sum.map(|s| (s / whole) as f32))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_mean_counts_directions_and_not_texels() {
+        let even = RadianceMap { size: [8, 4], pixels: vec![Rgb::new(0.5, 2.0, 7.0); 32] };
+        let off = even.mean().to_array().into_iter().zip([0.5, 2.0, 7.0]).map(|(a, b)| (a - b).abs());
+        assert!(off.fold(0.0, f32::max) < 1e-6);
+        // The upper sixth of the angles is a cap of height 1 − cos 30° on a ball of height 2.
+        let pixels = (0..600).map(|y| if y < 100 { Rgb::WHITE } else { Rgb::BLACK }).collect();
+        let cap = RadianceMap { size: [1, 600], pixels };
+        let share = (1.0 - (std::f32::consts::PI / 6.0).cos()) / 2.0;
+        assert!((cap.mean().r - share).abs() < 1e-5, "{} is not {share}", cap.mean().r);
+    }
+}

@@ -44,6 +44,13 @@ impl Camera {
         }
     }
 
+    /// How far away things are sharp, metres: as stated, else as far as the point is that it looks at, else 2.
+    #[must_use]
+    pub fn focus(&self) -> f32 {
+        let to_target = self.look_at.map(|target| (target - self.position).length());
+        self.focus_distance.or(to_target.filter(|d| *d > 0.0 && d.is_finite())).unwrap_or(2.0)
+    }
+
     /// Turns the camera about an axis of the world through itself (course work, section 3.3). What was aimed by
     /// `look_at` is aimed by `turn_deg` afterwards.
     pub fn turn(&mut self, axis: Axis, angle_deg: f32) {
@@ -137,9 +144,19 @@ mod tests {
     }
 
     #[test]
-    fn both_aims_are_a_fault() {
+    fn it_focuses_on_what_it_looks_at_unless_a_distance_is_stated() {
+        assert_eq!(Camera::default().focus(), 2.0);
+        let aimed = Camera { look_at: Some(Vec3::new(0.0, 1.2, 1.0)), ..Camera::default() };
+        assert_eq!(aimed.focus(), 5.0);
+        assert_eq!(Camera { focus_distance: Some(0.5), ..aimed }.focus(), 0.5);
+    }
+
+    #[test]
+    fn both_aims_and_two_blades_are_faults() {
         let both = Camera { turn_deg: Some(Vec3::ZERO), look_at: Some(Vec3::ZERO), ..Camera::default() };
         assert_eq!(both.fault().map(|f| f.key), Some("look_at"));
+        let two_blades = Camera { blades: 2, ..Camera::default() };
+        assert_eq!(two_blades.fault().map(|f| f.key), Some("blades"));
         let nowhere = Camera { look_at: Some(Camera::default().position), ..Camera::default() };
         assert!(nowhere.fault().is_some());
     }

@@ -1,7 +1,7 @@
 //! What is wrong with a scene as a whole: names, references, cycles, and what would give a black picture.
 
 use crate::params::{ParamKind, Value};
-use crate::{Fault, Geometry, GroupPlaces, Item, ListName, Owner, Scene, Settings, closest};
+use crate::{Fault, Geometry, GroupPlaces, Item, ListName, Owner, Renderer, Scene, Settings, closest};
 use std::collections::HashMap;
 use vitrine_math::Vec3;
 
@@ -87,6 +87,22 @@ pub enum Cause {
         /// The object.
         name: String,
     },
+    /// Light goes into a model that has no inside.
+    #[error("`{name}` is of solid glass and its model is not closed, so light gets lost in it")]
+    OpenSolid {
+        /// The object.
+        name: String,
+    },
+    /// Nothing says which glass fills what two solids share.
+    #[error(
+        "the glass of `{name}` and that of `{other}` overlap and are equally large, so the later one counts"
+    )]
+    EqualSolids {
+        /// The object that counts.
+        name: String,
+        /// The other one.
+        other: String,
+    },
 }
 
 impl Cause {
@@ -105,10 +121,14 @@ impl Cause {
             Self::PictureTooLarge { .. } => {
                 format!("width times height can be {} at most", Settings::MAX_PIXELS)
             }
-            Self::NoLight => {
-                "add a [[light]] with kind = \"ambient\", \"point\", \"directional\" or \"disc\"".into()
-            }
+            Self::NoLight => "add a [[light]], such as one with kind = \"disc\" or \"sky\"".into(),
             Self::NoObject => "add an [[object]], or set visible = true on one".into(),
+            Self::OpenSolid { .. } => {
+                "close the model, or say geometry_thin_walled = true in the material if it is a sheet".into()
+            }
+            Self::EqualSolids { .. } => {
+                "make the one that should count a little smaller, or move them apart".into()
+            }
             Self::CameraInside { .. } => "move the camera out, unless the view from inside is meant".into(),
         }
     }
@@ -136,6 +156,13 @@ impl Scene {
         }
         problems.sort_by_key(|p| std::cmp::Reverse(p.severity));
         problems
+    }
+
+    /// Whether there is light without any lamp: the photoreal renderer shows materials that shine by themselves.
+    #[must_use]
+    pub fn shines_without_lights(&self) -> bool {
+        self.settings.renderer == Renderer::Photoreal
+            && self.materials.iter().any(|m| m.emission_luminance.is_some_and(|l| l > 0.0))
     }
 
     fn check_references(&self, problems: &mut Vec<Problem>) {
@@ -209,7 +236,7 @@ impl Scene {
         let mut warn = |owner, cause| {
             problems.push(Problem { severity: Severity::Warning, place: Place { owner, key: None }, cause });
         };
-        if !self.lights.iter().any(|l| l.visible && l.intensity > 0.0) {
+        if !self.shines_without_lights() && !self.lights.iter().any(|l| l.visible && l.intensity > 0.0) {
             warn(None, Cause::NoLight);
         }
         let places = self.group_places();
@@ -222,6 +249,7 @@ impl Scene {
                 warn(Some(Owner::Item(ListName::Object, i)), Cause::CameraInside { name });
             }
         }
+        problems.extend(self.equal_solids(&places));
     }
 
     fn camera_is_inside(&self, object: &crate::Object, places: &GroupPlaces) -> bool {

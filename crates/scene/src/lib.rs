@@ -7,6 +7,7 @@
 mod assets;
 mod camera;
 mod check;
+mod closed;
 mod declare;
 mod group;
 pub mod lights;
@@ -18,6 +19,7 @@ mod placement;
 mod scene;
 mod settings;
 pub mod shapes;
+mod solids;
 mod suggest;
 pub mod textures;
 

@@ -54,9 +54,9 @@ crate::params! {
         white_balance: f32 = 6500.0 => ParamKind::Number(Range::from_to(1000.0, 40_000.0)), Kelvin;
         /// How light becomes the colours of the display. Where nothing is stated, neutral if photoreal, else srgb.
         view: Option<View> = None => ParamKind::Choice(View::WORDS), None;
-        /// No more rays are traced once the picture's noise, as a share of its brightness, is this small; 0 traces them all. Photoreal only.
+        /// No more rays are traced once the picture's noise, as a share of its brightness, is this small; 0 traces them all.
         noise: f32 = 0.0 => ParamKind::Number(Range::UNIT), None;
-        /// The picture is done after so long, whatever is missing; 0 sets no limit. Photoreal only.
+        /// The picture is done after so long, whatever is missing; 0 sets no limit.
         time_limit: f32 = 0.0 => ParamKind::Number(Range::NOT_NEGATIVE), Seconds;
         /// Takes light for unpolarised at each surface, as other renderers do; several panes are then a little too dark. Photoreal only.
         unpolarised: bool = false => ParamKind::Flag, None;

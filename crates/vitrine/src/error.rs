@@ -29,6 +29,14 @@ pub enum Error {
     /// The picture is too large, or the region to render is not in it.
     #[error(transparent)]
     Render(#[from] RenderError),
+    /// The file of a stopped render keeps another one than is asked for.
+    #[error("the stopped render cannot go on, {reason}: {}", path.display())]
+    OtherRender {
+        /// The file.
+        path: PathBuf,
+        /// What differs.
+        reason: String,
+    },
     /// A file with other content stands where one was to be written.
     #[error("a different file is there already: {}", path.display())]
     InTheWay {

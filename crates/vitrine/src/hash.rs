@@ -8,13 +8,32 @@ use std::fmt;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct SceneHash(u128);
 
+const BASIS: u128 = 0x6c62_272e_07bb_0142_62b8_2175_6295_c58d;
+const PRIME: u128 = 0x0000_0000_0100_0000_0000_0000_0000_013b;
+
 impl SceneHash {
     /// The hash of a text. Line ends count as written.
     #[must_use]
     pub fn of(text: &str) -> Self {
-        const BASIS: u128 = 0x6c62_272e_07bb_0142_62b8_2175_6295_c58d;
-        const PRIME: u128 = 0x0000_0000_0100_0000_0000_0000_0000_013b;
-        Self(text.bytes().fold(BASIS, |hash, byte| (hash ^ u128::from(byte)).wrapping_mul(PRIME)))
+        Self(BASIS).and_text(text)
+    }
+
+    /// The same with more text.
+    #[must_use]
+    pub(crate) fn and_text(self, text: &str) -> Self {
+        self.and_words(text.bytes().map(u32::from))
+    }
+
+    /// The same with numbers, a word of 32 bits each.
+    #[must_use]
+    pub(crate) fn and_words(self, words: impl IntoIterator<Item = u32>) -> Self {
+        Self(words.into_iter().fold(self.0, |hash, word| (hash ^ u128::from(word)).wrapping_mul(PRIME)))
+    }
+
+    /// The same with floats, by their bits.
+    #[must_use]
+    pub(crate) fn and_numbers(self, numbers: impl IntoIterator<Item = f32>) -> Self {
+        self.and_words(numbers.into_iter().map(f32::to_bits))
     }
 }
 

@@ -33,15 +33,22 @@
 //! [`save`] writes PNG, JPEG, OpenEXR or Radiance HDR by the file's extension. Whoever needs more (progress, stopping,
 //! regions) compiles the scene and runs a [`RenderJob`] from [`mod@render`]. The parts of Vitrine are re-exported as modules.
 
+mod display;
 mod error;
 mod hash;
+mod layers;
 mod project;
+mod resume;
 pub mod summary;
 pub mod templates;
 
+pub use display::display_of;
 pub use error::Error;
 pub use hash::SceneHash;
+pub use layers::layers_of;
 pub use project::{Project, load, metadata_of};
+pub use resume::{STATE_EXTENSION, StateFile, StateKeeper};
+pub use vitrine_denoise as denoise;
 pub use vitrine_film as film;
 pub use vitrine_formats as formats;
 pub use vitrine_math as math;
@@ -51,7 +58,7 @@ pub use vitrine_scene as scene;
 
 pub use film::{Image, Region};
 pub use formats::WriteOptions;
-pub use render::{Cancel, Progress, RenderJob, RenderOptions, Rendered};
+pub use render::{Cancel, Ending, Progress, RenderJob, RenderOptions, Rendered};
 pub use scene::Scene;
 
 use std::path::Path;
@@ -70,13 +77,14 @@ pub fn render(project: &Project, threads: usize) -> Result<Rendered, Error> {
     Ok(job.run(threads, &Cancel::default(), &mut |_| {}))
 }
 
-/// Writes a rendered picture, as PNG, JPEG, OpenEXR or Radiance HDR by the extension, with the scene's mark, seed and
-/// samples in its metadata. The file is complete or as it was before.
+/// Writes a rendered picture, as PNG, JPEG, OpenEXR or Radiance HDR by the extension, shown as the scene's settings say, with the
+/// scene's mark, seed and samples in its metadata. The file is complete or as it was before.
 ///
 /// # Errors
 /// When the extension is unknown or the file cannot be written.
 pub fn save(project: &Project, picture: &Rendered, path: impl AsRef<Path>) -> Result<(), Error> {
     let metadata = project.metadata(&project.scene.settings);
-    let options = WriteOptions { metadata, ..WriteOptions::default() };
+    let display = display_of(&project.scene.settings);
+    let options = WriteOptions { metadata, display, ..WriteOptions::default() };
     Ok(formats::write_image(path.as_ref(), &picture.film.image(), &options)?)
 }

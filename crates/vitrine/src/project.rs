@@ -27,7 +27,7 @@ pub fn load(path: impl AsRef<Path>) -> Result<Project, Error> {
 
 impl Project {
     fn new(file: SceneFile, path: &Path) -> Result<Self, Error> {
-        let (assets, asset_warnings) = formats::load_assets(file.scene(), folder_of(path))?;
+        let (assets, asset_warnings) = load_assets(file.scene(), folder_of(path))?;
         Ok(Self { scene: file.scene().clone(), assets, file, path: path.to_owned(), asset_warnings })
     }
 
@@ -108,7 +108,7 @@ impl Project {
         }
         let file = SceneFile::parse(&self.path, &text).map_err(Box::new)?;
         if files_of(file.scene()) != files_of(self.file.scene()) {
-            (self.assets, self.asset_warnings) = formats::load_assets(file.scene(), self.folder())?;
+            (self.assets, self.asset_warnings) = load_assets(file.scene(), self.folder())?;
         }
         self.scene = file.scene().clone();
         self.file = file;
@@ -149,11 +149,20 @@ fn folder_of(path: &Path) -> &Path {
     path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
-/// The models and pictures that a scene names, in order.
+/// Everything that the scene names, and what may not be as it was meant, one sentence each.
+fn load_assets(scene: &Scene, folder: &Path) -> Result<(Assets, Vec<String>), Error> {
+    let (assets, mut warnings) = formats::load_assets(scene, folder)?;
+    let open = scene.open_solids(&assets);
+    warnings.extend(open.iter().map(|p| format!("{} ({})", p.cause, p.cause.help())));
+    Ok((assets, warnings))
+}
+
+/// The models, pictures and panoramas that a scene names, in order.
 fn files_of(scene: &Scene) -> Vec<&Path> {
     let models = scene.objects.iter().filter_map(|o| o.shape.as_kind().file());
     let pictures = scene.textures.iter().filter_map(|t| t.source.as_kind().file());
-    models.chain(pictures).collect()
+    let panoramas = scene.lights.iter().filter_map(|l| l.source.as_kind().file());
+    models.chain(pictures).chain(panoramas).collect()
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use crate::math::Bounds3;
 use crate::render::{CompiledScene, RenderJob, RenderOptions};
-use crate::scene::lights::{Emission, LightSource};
+use crate::scene::lights::LightSource;
 use crate::scene::{Assets, KindSpec, Scene, Settings, Shape};
 use crate::{Cancel, Error, Project};
 
@@ -79,20 +79,22 @@ fn count<'a>(kinds: &[KindSpec], items: impl Iterator<Item = &'a str>) -> Counts
     counts
 }
 
-/// Textures, and sum and count of each pixel.
+/// Textures, panoramas, and sum and count of each pixel.
 fn memory_beside(assets: &Assets, settings: &Settings) -> u64 {
     const PIXEL_BYTES: u64 = 16;
+    const RADIANCE_BYTES: u64 = 12;
     let texels: usize = assets.pictures.values().map(|p| p.texels.len()).sum();
+    let radiances: usize = assets.maps.values().map(|m| m.pixels.len()).sum();
     let pixels = u64::from(settings.size[0]) * u64::from(settings.size[1]);
-    3 * texels as u64 + pixels * PIXEL_BYTES
+    3 * texels as u64 + RADIANCE_BYTES * radiances as u64 + pixels * PIXEL_BYTES
 }
 
 fn slow_parts(scene: &Scene, triangles: usize) -> Vec<String> {
     let settings = &scene.settings;
     let on = || scene.lights.iter().filter(|l| l.visible && l.intensity > 0.0);
-    let discs = on().filter(|l| matches!(l.source.as_kind().emission(), Emission::Disc { .. })).count();
+    let discs = on().filter(|l| matches!(l.source, LightSource::Disc(_) | LightSource::Sphere(_))).count();
     let sharp = on().filter(|l| {
-        matches!(l.source.as_kind().emission(), Emission::Point { .. } | Emission::Direction { .. })
+        matches!(l.source, LightSource::Point(_) | LightSource::Directional(_) | LightSource::Sky(_))
     });
     let sharp = sharp.count();
     let mut slow = Vec::new();

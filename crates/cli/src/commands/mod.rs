@@ -3,6 +3,7 @@
 mod bench;
 mod check;
 mod completions;
+mod denoise;
 #[cfg(feature = "editor")]
 mod edit;
 mod info;
@@ -50,6 +51,7 @@ enum Command {
     Render(Box<render::Render>),
     Check(check::Check),
     Info(info::Info),
+    Denoise(denoise::Denoise),
     Sweep(Box<sweep::Sweep>),
     Bench(Box<bench::Bench>),
     Templates(templates::Templates),
@@ -66,6 +68,7 @@ impl Command {
             Self::Render(command) => command.run(),
             Self::Check(command) => command.run(),
             Self::Info(command) => command.run(),
+            Self::Denoise(command) => command.run(),
             Self::Sweep(command) => command.run(),
             Self::Bench(command) => command.run(),
             Self::Templates(command) => command.run(),

@@ -9,9 +9,9 @@ use crate::{console, draw, interrupt, output, report};
 use clap::Args;
 use std::fs;
 use std::path::{Path, PathBuf};
-use vitrine::film::ViewTransform;
+use vitrine::film::Display;
 use vitrine::summary::plural;
-use vitrine::{Cancel, Error, Image, Project, Rendered, WriteOptions, formats};
+use vitrine::{Cancel, Error, Image, Project, WriteOptions, display_of, formats};
 
 /// Render a scene with several values of one thing, onto a contact sheet
 ///
@@ -81,7 +81,7 @@ impl Sweep {
             project.set(&[series.assignment(step)])?;
             let Some((image, is_complete)) = self.render(&project, &series, step, &cancel)? else { break };
             self.save_alone(&project, &image, &series.file_name(&project, step, &path))?;
-            let small = draw::shrink(&image, options.view, layout.fit(image.size));
+            let small = draw::shrink(&image, &display_of(&project.scene.settings), layout.fit(image.size));
             pictures.push((small, series.caption(step)));
             if !is_complete {
                 break;
@@ -89,7 +89,7 @@ impl Sweep {
         }
         if !pictures.is_empty() {
             // The small pictures are display light already; the plain curve writes them as they are.
-            let options = WriteOptions { view: ViewTransform::Srgb, ..options };
+            let options = WriteOptions { display: Display::default(), ..options };
             formats::write_image(&path, &draw::sheet(layout, &pictures), &options)?;
         }
         self.say_done(&path, pictures.len(), &cancel)
@@ -136,7 +136,8 @@ impl Sweep {
         let threads = self.threads.count();
         let made =
             picture::make(&compiled, project.options(), threads, cancel, &mut |progress| bar.show(progress))?;
-        let Rendered { film, is_complete, .. } = made.rendered;
+        let is_complete = made.rendered.is_complete();
+        let film = made.rendered.film;
         Ok((film.samples() > 0).then(|| (film.into_image(), is_complete)))
     }
 
@@ -149,8 +150,10 @@ impl Sweep {
     fn save_alone(&self, project: &Project, image: &Image, file_name: &str) -> Result<(), Failure> {
         let Some(folder) = &self.each else { return Ok(()) };
         let path = folder.join(file_name);
-        let metadata = project.metadata(&project.scene.settings);
-        formats::write_image(&path, image, &WriteOptions { metadata, ..self.picture.options(&path)? })?;
+        let settings = &project.scene.settings;
+        let (metadata, display) = (project.metadata(settings), display_of(settings));
+        let options = WriteOptions { metadata, display, ..self.picture.options(&path)? };
+        formats::write_image(&path, image, &options)?;
         Ok(())
     }
 

@@ -1,14 +1,13 @@
 //! Making a picture smaller, in linear light.
 
 use vitrine::Image;
-use vitrine::film::ViewTransform;
-use vitrine::math::{Rgb, linear_from_srgb};
+use vitrine::film::Display;
+use vitrine::math::Rgb;
 
 /// The picture as a display shows it (each value within its range) in that many pixels, which are not more than it has:
 /// each new pixel is the mean of the area that it covers. The result is linear light again.
-pub fn shrink(image: &Image, view: ViewTransform, size: [u32; 2]) -> Image {
-    let shown = |p: &Rgb| Rgb::from(view.display(*p).map(linear_from_srgb));
-    let shown = Image { size: image.size, pixels: image.pixels.iter().map(shown).collect() };
+pub fn shrink(image: &Image, display: &Display, size: [u32; 2]) -> Image {
+    let shown = display.shown(image);
     // An area's mean is the mean over rows of the means over columns.
     let narrow = shrink_rows(&shown, size[0]);
     transpose(&shrink_rows(&transpose(&narrow), size[1]))
@@ -55,20 +54,20 @@ mod tests {
     #[test]
     fn means_are_of_light_and_not_of_its_code() {
         let image = Image { size: [2, 2], pixels: vec![Rgb::BLACK, Rgb::WHITE, Rgb::WHITE, Rgb::BLACK] };
-        let one = shrink(&image, ViewTransform::Srgb, [1, 1]);
+        let one = shrink(&image, &Display::default(), [1, 1]);
         assert!((one.pixel(0, 0).g - 0.5).abs() < 1e-6, "{one:?}");
     }
 
     #[test]
     fn parts_of_pixels_count_as_parts() {
         let image = Image { size: [3, 1], pixels: vec![Rgb::BLACK, Rgb::WHITE, Rgb::BLACK] };
-        let two = shrink(&image, ViewTransform::Srgb, [2, 1]);
+        let two = shrink(&image, &Display::default(), [2, 1]);
         assert!(two.pixels.iter().all(|p| (p.r - 1.0 / 3.0).abs() < 1e-6), "{two:?}");
     }
 
     #[test]
     fn overbright_light_does_not_spill() {
         let image = Image { size: [2, 1], pixels: vec![Rgb::splat(100.0), Rgb::BLACK] };
-        assert!((shrink(&image, ViewTransform::Srgb, [1, 1]).pixel(0, 0).r - 0.5).abs() < 1e-6);
+        assert!((shrink(&image, &Display::default(), [1, 1]).pixel(0, 0).r - 0.5).abs() < 1e-6);
     }
 }

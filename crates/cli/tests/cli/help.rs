@@ -2,11 +2,12 @@
 
 use crate::support::Folder;
 
-const COMMANDS: [&[&str]; 11] = [
+const COMMANDS: [&[&str]; 12] = [
     &["edit"],
     &["render"],
     &["check"],
     &["info"],
+    &["denoise"],
     &["sweep"],
     &["bench", "threads"],
     &["bench", "kernel"],

@@ -2,10 +2,12 @@
 
 mod bad_input;
 mod bench;
+mod denoise;
 mod help;
 mod inspect;
 mod interrupt;
 mod render;
+mod resume;
 mod support;
 mod sweep;
 mod templates;

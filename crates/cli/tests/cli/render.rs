@@ -195,3 +195,69 @@ fn quiet_is_quiet() {
     let outcome = folder.run_well(&["render", "dark.vitrine.toml", "--quiet"]);
     assert_eq!((outcome.out.as_str(), outcome.err.as_str()), ("", ""));
 }
+
+#[test]
+fn noise_and_time_end_a_picture() {
+    let folder = Folder::with_scene();
+    let render = |flags: &[&str]| {
+        let all = ["render", "scene.vitrine.toml", "--samples", "65536", "--json"];
+        folder.run_well(&[&all, flags].concat()).events().pop().expect("there is an end")
+    };
+    let clean = render(&["--noise", "0.05", "--set", "settings.shadow_points=1"]);
+    assert_eq!((clean["ended"].as_str(), clean["complete"].as_bool()), (Some("noise"), Some(true)));
+    assert!(clean["noise"].as_f64().is_some_and(|n| n <= 0.05), "{clean}");
+    assert!(clean["samples"].as_u64() < Some(40 * 30 * 65_536));
+    assert_eq!(clean["bad_samples"].as_u64(), Some(0));
+    assert!(contains(&folder.read("scene.png"), "vitrine:samples-done"));
+    assert_eq!(render(&["--time", "0.1"])["ended"].as_str(), Some("time"));
+    let said = folder.run_well(&["render", "scene.vitrine.toml", "--samples", "65536", "--time", "0.1"]);
+    assert!(said.out.contains("its time was over after"), "{}", said.out);
+    assert_eq!(folder.names(), ["scene.png", "scene.vitrine.toml"], "nothing else is left");
+}
+
+#[test]
+fn the_display_is_that_of_the_settings_or_flags() {
+    let folder = Folder::with_scene();
+    let picture = |name: &str, flags: &[&str]| {
+        folder.run_well(&[&["render", "scene.vitrine.toml", "-o", name], flags].concat());
+        folder.picture(name)
+    };
+    let plain = picture("plain.png", &[]);
+    assert!(plain == picture("srgb.png", &["--view", "srgb", "--exposure", "0", "--white-balance", "6500"]));
+    let [neutral, agx] = ["neutral", "agx"].map(|view| picture("view.png", &["--view", view]));
+    assert!(plain != neutral && plain != agx && neutral != agx);
+    let bright = picture("bright.png", &["--exposure", "1"]);
+    let sum =
+        |p: &vitrine::scene::Picture| p.texels.as_flattened().iter().map(|v| u64::from(*v)).sum::<u64>();
+    assert!(sum(&bright) > sum(&plain) && sum(&picture("dark.png", &["--exposure=-1"])) < sum(&plain));
+    let warm = picture("warm.png", &["--white-balance", "3000"]);
+    let blue = |p: &vitrine::scene::Picture| p.texels.iter().map(|t| u64::from(t[2])).sum::<u64>();
+    assert!(blue(&warm) > blue(&plain), "under a bulb's white all looks bluer");
+    // Linear light has no display.
+    let linear = |name: &str, flags: &[&str]| {
+        folder.run_well(&[&["render", "scene.vitrine.toml", "-o", name], flags].concat());
+        folder.read(name)
+    };
+    assert!(linear("a.hdr", &[]).len() == linear("b.hdr", &["--exposure", "2"]).len());
+}
+
+#[test]
+fn layers_are_for_openexr_and_the_same_bytes_every_time() {
+    let folder = Folder::with_scene();
+    let layered = |name: &str, flags: &[&str]| {
+        folder.run_well(&[&["render", "scene.vitrine.toml", "--layers", "-o", name], flags].concat());
+        folder.read(name)
+    };
+    let classic = layered("a.exr", &[]);
+    assert!(classic == layered("b.exr", &["--threads", "3"]));
+    for word in ["object.id", "samples", "vitrine:objects", r#"["ground","ball"]"#] {
+        assert!(contains(&classic, word), "{word}");
+    }
+    assert!(!contains(&classic, "albedo.R"), "the classic renderer makes none");
+    let photoreal = layered("c.exr", &["--renderer", "photoreal", "--region", "7,3,20,11"]);
+    for word in ["albedo.R", "normal.X", "depth.Z", "object.id"] {
+        assert!(contains(&photoreal, word), "{word}");
+    }
+    let refused = folder.run(&["render", "scene.vitrine.toml", "--layers"]);
+    refused.fails(2, &["--layers is for OpenEXR", ".exr"]);
+}

@@ -29,4 +29,5 @@ doctor-mend-frame-all = Show everything in view
 problem-missing-picture = The picture { $path } is missing
 problem-missing-model = The model { $path } is missing
 problem-open-model = The model “{ $name }” is transparent and has holes, so it does not look like glass
+problem-equal-solids = “{ $name }” and “{ $other }” are of different glass, overlap and are equally large, so it is chance which one counts there
 problem-asset = { $text }

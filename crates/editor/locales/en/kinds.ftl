@@ -11,6 +11,9 @@ kind-ambient = Everywhere light (ambient)
 kind-point = Bulb (point)
 kind-directional = Sunlight (directional)
 kind-disc = Disc lamp
+kind-light-sphere = Round bulb (sphere)
+kind-environment = Panorama (environment)
+kind-sky = Sky and sun
 
 kind-picture = Picture
 kind-checker = Chessboard
@@ -25,5 +28,15 @@ kind-settings = Picture
 
 choice-renderer-classic = Classic
 choice-renderer-cast = Ray casting
+choice-renderer-photoreal = Photoreal
+choice-view-none = by the method
+choice-view-neutral = True colours (neutral)
+choice-view-agx = As on film (AgX)
+choice-view-srgb = Plain (sRGB)
+choice-metal-gold = Gold
+choice-metal-copper = Copper
+choice-metal-silver = Silver
+choice-metal-aluminium = Aluminium
+choice-metal-chrome = Chrome
 choice-wrap-repeat = Repeat
 choice-wrap-clamp = Outermost colours

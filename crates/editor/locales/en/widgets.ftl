@@ -3,6 +3,9 @@
 unit-metres = m
 unit-degrees = °
 unit-pixels = px
+unit-micrometres = µm
+unit-kelvin = K
+unit-seconds = s
 
 widgets-mixed = mixed
 widgets-auto = auto

@@ -29,4 +29,5 @@ doctor-mend-frame-all = Показать всё в кадре
 problem-missing-picture = Нет картинки { $path }
 problem-missing-model = Нет модели { $path }
 problem-open-model = Модель «{ $name }» прозрачная и с дырами, поэтому не похожа на стекло
+problem-equal-solids = «{ $name }» и «{ $other }» из разного стекла, пересекаются и одинаковы по объёму, поэтому в общей части один из них взят случайно
 problem-asset = { $text }

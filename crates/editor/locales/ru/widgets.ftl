@@ -3,6 +3,9 @@
 unit-metres = м
 unit-degrees = °
 unit-pixels = пикс.
+unit-micrometres = мкм
+unit-kelvin = К
+unit-seconds = с
 
 widgets-mixed = разные
 widgets-auto = авто

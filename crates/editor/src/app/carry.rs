@@ -47,6 +47,7 @@ impl Editor {
             | Action::EditDialog(_)
             | Action::ModelSettings(_)
             | Action::LoadModel
+            | Action::LoadPanorama
             | Action::ChooseFile { .. }
             | Action::Show(_) => self.open_dialog(action),
             Action::StartRender | Action::StopRender | Action::ContinueRender => self.render(&action),
@@ -140,7 +141,7 @@ impl Editor {
     }
 
     /// A new thing with good defaults, where the camera looks, named in the person's language.
-    fn new_thing(&self, new: NewThing) -> Addition {
+    pub(super) fn new_thing(&self, new: NewThing) -> Addition {
         let (scene, assets) = (self.document.scene(), self.document.assets());
         let name = free_name(scene, new.list, &new.name());
         new_thing(scene, assets, new.list, new.kind).named(&name)
@@ -161,12 +162,16 @@ impl Editor {
                 let folder = self.scene_folder();
                 self.chooser.open(Purpose::LoadModel, folder.as_deref(), "");
             }
+            Action::LoadPanorama => {
+                let folder = self.scene_folder();
+                self.chooser.open(Purpose::LoadPanorama, folder.as_deref(), "");
+            }
             Action::ChooseFile { thing, key } => {
                 let folder = self.scene_folder();
-                let purpose = if self.document.is_model(&thing) {
-                    Purpose::ReplaceModel
-                } else {
-                    Purpose::ReplaceTexture
+                let purpose = match thing.list() {
+                    Some(ListName::Light) => Purpose::ReplacePanorama,
+                    _ if self.document.is_model(&thing) => Purpose::ReplaceModel,
+                    _ => Purpose::ReplaceTexture,
                 };
                 self.chooser.open(purpose, folder.as_deref(), "");
                 self.scenes.choose_for(thing, key);

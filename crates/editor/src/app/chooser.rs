@@ -18,10 +18,14 @@ pub enum Purpose {
     LoadModel,
     /// A picture for a texture.
     LoadTexture,
+    /// A panorama for a new light.
+    LoadPanorama,
     /// Another model in place of one of the scene's.
     ReplaceModel,
     /// A picture for something of the scene.
     ReplaceTexture,
+    /// Another panorama for a light.
+    ReplacePanorama,
     /// The name under which the picture is saved.
     SavePicture,
 }
@@ -107,6 +111,10 @@ fn dialog_for(purpose: Purpose) -> FileDialog {
         Purpose::LoadTexture | Purpose::ReplaceTexture => {
             with_filter(dialog, "chooser-pictures", &[".png", ".jpg", ".jpeg"])
                 .title(&tr!("chooser-load-texture"))
+        }
+        Purpose::LoadPanorama | Purpose::ReplacePanorama => {
+            with_filter(dialog, "chooser-panoramas", &[".hdr", ".exr", ".png", ".jpg", ".jpeg"])
+                .title(&tr!("chooser-load-panorama"))
         }
         Purpose::SavePicture => dialog.title(&tr!("chooser-save-picture")),
     }

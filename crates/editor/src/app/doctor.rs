@@ -27,7 +27,7 @@ impl Doctor {
             return;
         }
         self.looked_at = Some(now);
-        let brightness = picture.map(|p| Brightness::of(&p.rgba, document.scene().settings.background));
+        let brightness = picture.map(|p| Brightness::of(&p.rgba, &document.scene().settings));
         let diagnoses = doctor::diagnose(document, brightness).into_iter().map(|d| ProblemLine {
             severity: Severity::Warning,
             text: words(&d.message),

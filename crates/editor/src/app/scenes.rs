@@ -2,12 +2,12 @@
 
 use super::Editor;
 use super::chooser::Purpose;
-use crate::action::Action;
+use crate::action::{Action, NewThing};
 use crate::dialogs::{Changed, Dialog, ErrorReport, Failure, LoadedModel, ModelDialog, Unsaved};
 use crate::document::{Addition, Document, EditCommand, Paint, Thing, cover, free_name};
 use crate::files::{
     NewAsset, OpenError, Opened, SaveError, SaveRequest, Saved, Seen, Task, TaskState, file_name, read_model,
-    read_picture, read_scene, read_template, save,
+    read_panorama, read_picture, read_scene, read_template, save,
 };
 use crate::panels::list::ListState;
 use crate::panels::properties::PropertiesState;
@@ -55,11 +55,26 @@ enum Addend {
     ModelForParam,
     /// A picture, for a parameter.
     PictureForParam,
+    /// A panorama, for a new light.
+    Panorama,
+    /// Another panorama, for a parameter.
+    PanoramaForParam,
 }
+
+/// Reads a file for a scene whose paths count from a folder.
+type Reader = fn(&Path, Option<&Path>) -> Result<NewAsset, OpenError>;
 
 impl Addend {
     const fn is_model(self) -> bool {
         matches!(self, Self::Model | Self::ModelForParam)
+    }
+
+    const fn reader(self) -> Reader {
+        match self {
+            Self::Model | Self::ModelForParam => read_model,
+            Self::PictureForDialog | Self::PictureForSelection | Self::PictureForParam => read_picture,
+            Self::Panorama | Self::PanoramaForParam => read_panorama,
+        }
     }
 }
 
@@ -99,12 +114,13 @@ impl Editor {
         }
     }
 
-    /// Opens a scene, or adds a model or picture, by the ending of its name.
+    /// Opens a scene, or adds a model, picture or panorama, by the ending of its name.
     pub(super) fn open_file(&mut self, path: PathBuf) {
         let extension = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
         let wake = self.wake.clone();
         match extension.as_str() {
             "obj" => self.add_file(path, Addend::Model),
+            "hdr" | "exr" => self.add_file(path, Addend::Panorama),
             "png" | "jpg" | "jpeg" => self.add_file(path, Addend::PictureForSelection),
             _ => self.scenes.opening = Some(Task::spawn(wake, move || read_scene(&path))),
         }
@@ -118,6 +134,8 @@ impl Editor {
             Purpose::LoadModel => self.add_file(path, Addend::Model),
             Purpose::LoadTexture => self.add_file(path, Addend::PictureForDialog),
             Purpose::ReplaceModel => self.add_file(path, Addend::ModelForParam),
+            Purpose::LoadPanorama => self.add_file(path, Addend::Panorama),
+            Purpose::ReplacePanorama => self.add_file(path, Addend::PanoramaForParam),
             Purpose::ReplaceTexture => self.add_file(path, Addend::PictureForParam),
             Purpose::SavePicture => {
                 if let Some(dialog) = &mut self.dialog {
@@ -129,7 +147,7 @@ impl Editor {
 
     fn add_file(&mut self, path: PathBuf, addend: Addend) {
         let folder = self.scene_folder();
-        let read = if addend.is_model() { read_model } else { read_picture };
+        let read = addend.reader();
         let task = Task::spawn(self.wake.clone(), move || read(&path, folder.as_deref()));
         self.scenes.adding = Some((task, addend));
     }
@@ -325,9 +343,21 @@ impl Editor {
                     dialog.take_path(Path::new(&file), &self.document);
                 }
             }
-            (Addend::ModelForParam | Addend::PictureForParam, _) => self.set_chosen(&file),
+            (Addend::ModelForParam | Addend::PictureForParam | Addend::PanoramaForParam, _) => {
+                self.set_chosen(&file);
+            }
+            (Addend::Panorama, _) => self.add_panorama(&file),
             _ => self.lay_over_selection(&file),
         }
+    }
+
+    /// Adds the light of a panorama.
+    fn add_panorama(&mut self, file: &str) {
+        let mut addition = self.new_thing(NewThing { list: ListName::Light, kind: "environment" });
+        for light in &mut addition.lights {
+            light.source.params_mut().store("file", Value::Text(file.to_owned()));
+        }
+        self.edit(EditCommand::Add(addition));
     }
 
     /// Gives a file to the parameter that it was chosen for.

@@ -6,10 +6,9 @@ use eframe::egui::{ColorImage, Image, Rect, Response, Sense, TextureHandle, Text
 use std::fmt;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
-use vitrine::film::ViewTransform;
 use vitrine::render::{CompileOptions, CompiledScene, compile_with};
 use vitrine::scene::{Assets, Scene};
-use vitrine::{Cancel, RenderJob, RenderOptions};
+use vitrine::{Cancel, RenderJob, RenderOptions, display_of};
 
 /// A picture, and the compiled scene, whose trees the next one takes over.
 type Made = Option<(Arc<CompiledScene>, ColorImage)>;
@@ -102,10 +101,11 @@ fn render(scene: &Scene, assets: &Assets, earlier: Option<&CompiledScene>, cance
     let compiled = compile_with(scene, assets, options).ok()?;
     let options = RenderOptions { settings: scene.settings.clone(), region: None };
     let rendered = RenderJob::new(&compiled, options).ok()?.run(1, cancel, &mut |_| {});
+    let is_complete = rendered.is_complete();
     let image = rendered.film.into_image();
     let size = image.size.map(|s| s as usize);
-    let picture = ColorImage::from_rgb(size, &ViewTransform::default().to_u8(&image));
-    rendered.is_complete.then(|| (Arc::new(compiled), picture))
+    let picture = ColorImage::from_rgb(size, &display_of(&scene.settings).to_u8(&image));
+    is_complete.then(|| (Arc::new(compiled), picture))
 }
 
 fn paint(ui: &Ui, texture: &TextureHandle, rect: Rect) {

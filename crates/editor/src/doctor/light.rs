@@ -15,6 +15,9 @@ const GLARING_SUM: f32 = 5.0;
 /// What is wrong with the lights.
 pub(super) fn diagnose(document: &Document, picture: Option<Brightness>) -> Option<Diagnosis> {
     let scene = document.scene();
+    if scene.shines_without_lights() {
+        return None;
+    }
     if scene.lights.is_empty() {
         let lamp = new_thing(scene, document.assets(), ListName::Light, "disc");
         return Some(Diagnosis {

@@ -8,8 +8,8 @@ mod view;
 pub use problems::{ProblemLine, problems};
 
 use crate::document::{Document, EditCommand, Message, Thing};
-use vitrine::film::ViewTransform;
-use vitrine::math::Rgb;
+use vitrine::display_of;
+use vitrine::scene::Settings;
 
 /// How bright the picture is that a person sees: which shares of its pixels, 0 to 1 each, are as good as black, as good as
 /// white, and background.
@@ -24,10 +24,10 @@ pub struct Brightness {
 }
 
 impl Brightness {
-    /// Of a picture as it is shown: red, green, blue and opacity, 8 bits each. `background` is the scene's.
+    /// Of a picture as it is shown: red, green, blue and opacity, 8 bits each. `settings` are the scene's.
     #[must_use]
-    pub fn of(rgba: &[u8], background: Rgb) -> Self {
-        let background = ViewTransform::Srgb.display(background).map(|v| (v * 255.0).round() as u8);
+    pub fn of(rgba: &[u8], settings: &Settings) -> Self {
+        let background = display_of(settings).display(settings.background).map(|v| (v * 255.0).round() as u8);
         let count = |is_so: &dyn Fn(&[u8]) -> bool| rgba.chunks_exact(4).filter(|p| is_so(p)).count() as f32;
         let all = (rgba.len() / 4).max(1) as f32;
         Self {

@@ -3,7 +3,7 @@
 use super::closed::is_closed;
 use super::{Diagnosis, diagnose};
 use crate::document::{Document, EditCommand, Message, Thing, missing, problem};
-use vitrine::scene::{Assets, Cause, Geometry, Object, Scene, Severity};
+use vitrine::scene::{Assets, Cause, Geometry, Material, Object, Scene, Severity};
 
 /// One line of the list.
 #[derive(Clone, Debug, PartialEq)]
@@ -83,7 +83,11 @@ fn missing_files(scene: &Scene, assets: &Assets) -> Vec<ProblemLine> {
         .objects
         .iter()
         .map(|o| line("problem-missing-model", o.shape.as_kind().file(), Thing::object(&o.name)));
-    pictures.chain(models).collect()
+    let panoramas = missing
+        .lights
+        .iter()
+        .map(|l| line("problem-missing-picture", l.source.as_kind().file(), Thing::light(&l.name)));
+    pictures.chain(models).chain(panoramas).collect()
 }
 
 /// Whether an object is a model with holes, of a material that lets light through.
@@ -93,8 +97,8 @@ fn is_open_glass(object: &Object, scene: &Scene, assets: &Assets) -> bool {
         _ => return false,
     };
     let passes = match object.material.as_deref() {
-        Some(name) => scene.material(name).is_some_and(|m| m.classic().transparency > 0.0),
-        None => mesh.materials.iter().any(|m| m.material.classic().transparency > 0.0),
+        Some(name) => scene.material(name).is_some_and(Material::is_solid_glass),
+        None => mesh.materials.iter().any(|m| m.material.is_solid_glass()),
     };
     passes && !is_closed(&mesh)
 }

@@ -5,7 +5,7 @@ use crate::document::Document;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use vitrine::formats::SceneFile;
-use vitrine::math::Vec3;
+use vitrine::math::{Rgb, Vec3};
 use vitrine::scene::shapes::Mesh;
 use vitrine::scene::{Assets, Material, Object, Scene, Shape, TriangleMesh};
 
@@ -186,7 +186,7 @@ fn missing_files_and_warnings_of_models_are_lines() {
 
 #[test]
 fn shares_of_black_white_and_background_are_counted_as_shown() {
-    let background = Rgb::splat(0.5);
+    let settings = Settings { background: Rgb::splat(0.5), ..Settings::default() };
     // Mid grey is 188 on a screen; one step of rounding is forgiven.
     let shown = [
         [0, 0, 0],
@@ -200,6 +200,6 @@ fn shares_of_black_white_and_background_are_counted_as_shown() {
     ];
     let rgba: Vec<u8> = shown.iter().flat_map(|[r, g, b]| [*r, *g, *b, 255]).collect();
     let wanted = Brightness { black: 2.0 / 8.0, white: 2.0 / 8.0, background: 1.0 / 8.0 };
-    assert_eq!(Brightness::of(&rgba, background), wanted);
-    assert_eq!(Brightness::of(&[], background), Brightness::default());
+    assert_eq!(Brightness::of(&rgba, &settings), wanted);
+    assert_eq!(Brightness::of(&[], &settings), Brightness::default());
 }

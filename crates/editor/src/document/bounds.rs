@@ -64,13 +64,18 @@ pub(crate) fn object_bounds(object: &Object, place: &Transform, assets: &Assets)
 }
 
 fn light_bounds(light: &Light) -> Bounds3 {
-    match light.source.as_kind().emission() {
-        Emission::Point { position } => Bounds3::around([position]),
-        Emission::Disc { position, radius } => {
+    // What has a place needs no file.
+    match light.source.as_kind().emission(&Assets::default()) {
+        Some(Emission::Point { position }) => Bounds3::around([position]),
+        Some(Emission::Disc { position, radius }) => {
             let reach = Vec3::new(radius, 0.0, radius);
             Bounds3 { min: position - reach, max: position + reach }
         }
-        Emission::Everywhere | Emission::Direction { .. } => Bounds3::EMPTY,
+        Some(Emission::Sphere { position, radius }) => {
+            let reach = Vec3::splat(radius);
+            Bounds3 { min: position - reach, max: position + reach }
+        }
+        _ => Bounds3::EMPTY,
     }
 }
 

@@ -62,10 +62,9 @@ impl<'a> Copied<'a> {
             });
         let materials: Vec<_> = materials.filter_map(|m| places.index(ListName::Material, m)).collect();
         copied.chosen.extend(materials.into_iter().map(|i| (ListName::Material, i)));
-        let textures =
-            scene.materials.iter().enumerate().filter_map(|(i, m)| {
-                copied.has(ListName::Material, i).then_some(m.texture.as_deref()).flatten()
-            });
+        let materials = scene.materials.iter().enumerate();
+        let materials = materials.filter(|(i, _)| copied.has(ListName::Material, *i));
+        let textures = materials.flat_map(|(_, m)| m.textures()).filter_map(Option::as_deref);
         let textures: Vec<_> = textures.filter_map(|t| places.index(ListName::Texture, t)).collect();
         copied.chosen.extend(textures.into_iter().map(|i| (ListName::Texture, i)));
         copied

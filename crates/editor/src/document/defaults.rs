@@ -198,6 +198,7 @@ fn new_light(scene: &Scene, kind: &str, site: &Site) -> Option<Addition> {
     let is_lit = scene.lights.iter().any(|l| l.visible && l.intensity > 0.0);
     let intensity = match (&source, is_lit) {
         (LightSource::Ambient(_), _) => 0.2,
+        (LightSource::Environment(_) | LightSource::Sky(_), false) => 1.0,
         (_, true) => 0.4,
         (_, false) => 0.7,
     };

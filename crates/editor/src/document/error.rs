@@ -150,6 +150,10 @@ pub fn problem(cause: &Cause) -> Message {
         }
         Cause::NoLight => Message::new("problem-no-light"),
         Cause::NoObject => Message::new("problem-no-object"),
+        Cause::OpenSolid { name } => Message::new("problem-open-model").with("name", name),
+        Cause::EqualSolids { name, other } => {
+            Message::new("problem-equal-solids").with("name", name).with("other", other)
+        }
         Cause::CameraInside { name } => Message::new("problem-camera-inside").with("name", name),
     }
 }

@@ -146,12 +146,13 @@ impl Document {
         self.is_changed = !self.saved.as_ref().is_some_and(is_same);
     }
 
-    /// Takes models and pictures in that were read elsewhere, before the edit that names them, so that the edit need not
+    /// Takes models, pictures and panoramas in that were read elsewhere, before the edit that names them, so that the edit need not
     /// read them while a person waits.
     pub fn provide(&mut self, assets: Assets, warnings: Vec<String>) {
         let all = Arc::make_mut(&mut self.assets);
         all.meshes.extend(assets.meshes);
         all.pictures.extend(assets.pictures);
+        all.maps.extend(assets.maps);
         for warning in warnings {
             if !self.asset_warnings.contains(&warning) {
                 self.asset_warnings.push(warning);

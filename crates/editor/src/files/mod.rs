@@ -16,7 +16,8 @@ mod wording;
 pub use autosave::{AUTOSAVE_EVERY, Autosave, Snapshot};
 pub use config::Config;
 pub use open::{
-    NewAsset, Opened, Seen, complete_assets, read_model, read_picture, read_scene, read_template,
+    NewAsset, Opened, Seen, complete_assets, read_model, read_panorama, read_picture, read_scene,
+    read_template,
 };
 pub use own_file::OwnFileWarning;
 pub use places::{HOME_VARIABLE, Places};

@@ -8,9 +8,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use vitrine::SceneHash;
 use vitrine::formats::{FormatError, SceneFile, load_assets};
+use vitrine::scene::lights::Environment;
 use vitrine::scene::shapes::Mesh;
 use vitrine::scene::textures::PictureFile;
-use vitrine::scene::{Assets, Object, Scene, Shape, Texture, TextureSource};
+use vitrine::scene::{Assets, Light, LightSource, Object, Scene, Shape, Texture, TextureSource};
 use vitrine::templates::Template;
 
 /// What a file said when it was read or written last, so that a change by another program is noticed.
@@ -121,19 +122,26 @@ pub fn complete_assets(
             wanted.objects.push(object.clone());
         }
     }
+    for light in &scene.lights {
+        let file = light.source.as_kind().file();
+        if missing(file, file.is_some_and(|f| assets.maps.contains_key(f))) {
+            wanted.lights.push(light.clone());
+        }
+    }
     let (read, notes) = load_assets(&wanted, folder)?;
     assets.meshes.extend(read.meshes);
     assets.pictures.extend(read.pictures);
+    assets.maps.extend(read.maps);
     add_carried(assets, scene);
     Ok(notes)
 }
 
-/// A model or picture that is to come into a scene.
+/// A model, picture or panorama that is to come into a scene.
 #[derive(Debug)]
 pub struct NewAsset {
     /// Its path as the scene is to write it.
     pub file: String,
-    /// The model or picture under that path, and a model's own pictures.
+    /// The model, picture or panorama under that path, and a model's own pictures.
     pub assets: Assets,
     /// What should be known of it: one sentence each.
     pub notes: Vec<String>,
@@ -158,6 +166,17 @@ pub fn read_picture(path: &Path, folder: Option<&Path>) -> Result<NewAsset, Open
     let file = path_in_scene(path, folder);
     let source = TextureSource::Picture(PictureFile { file: file.clone(), ..PictureFile::default() });
     let scene = Scene { textures: vec![Texture { source, ..Texture::default() }], ..Scene::default() };
+    read_asset(path, file, &scene, folder)
+}
+
+/// Reads a panorama for a scene whose paths count from `folder`; None: a scene without a file.
+///
+/// # Errors
+/// When it cannot be read or is no picture.
+pub fn read_panorama(path: &Path, folder: Option<&Path>) -> Result<NewAsset, OpenError> {
+    let file = path_in_scene(path, folder);
+    let source = LightSource::Environment(Environment { file: file.clone(), ..Environment::default() });
+    let scene = Scene { lights: vec![Light { source, ..Light::default() }], ..Scene::default() };
     read_asset(path, file, &scene, folder)
 }
 

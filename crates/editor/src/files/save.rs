@@ -111,6 +111,9 @@ pub fn save(request: &SaveRequest) -> Result<Saved, SaveError> {
         if let Some(picture) = assets.pictures.get(before).cloned() {
             assets.pictures.insert(after.to_owned(), picture);
         }
+        if let Some(map) = assets.maps.get(before).cloned() {
+            assets.maps.insert(after.to_owned(), map);
+        }
     }
     Ok(Saved { seen: Seen::of(&text), file, assets, moved })
 }

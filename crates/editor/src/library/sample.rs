@@ -33,6 +33,8 @@ pub(super) fn of_material(paint: &Paint, picture: Option<Arc<Picture>>) -> Optio
     }
     let mut material = paint.material.clone();
     material.name = "sample".into();
+    // The sample's scene has no other textures.
+    material.textures_mut().into_iter().for_each(|texture| *texture = None);
     material.texture = paint.texture.as_ref().map(|_| "sample".into());
     scene.materials.push(material);
     scene.objects.iter_mut().filter(|o| o.name == "sample").for_each(|o| o.material = Some("sample".into()));

@@ -10,7 +10,7 @@ use std::sync::mpsc::{self, Receiver, Sender};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::thread;
 use vitrine::Image;
-use vitrine::film::ViewTransform;
+use vitrine::film::Display;
 use vitrine::formats::{FormatError, WriteOptions, encode, image_format, read_picture};
 use vitrine::math::Rgb;
 use vitrine::scene::{Assets, Picture};
@@ -41,7 +41,7 @@ impl ThumbnailImage {
             let sum = y.flat_map(|y| x.clone().map(move |x| image.pixel(x, y)));
             *pixel = sum.fold(Rgb::BLACK, |a, b| a + b) / count;
         }
-        let rgb = ViewTransform::default().to_u8(&small);
+        let rgb = Display::default().to_u8(&small);
         let rgba = rgb.as_chunks::<3>().0.iter().flat_map(|[r, g, b]| [*r, *g, *b, u8::MAX]).collect();
         Self { size: size.map(|n| n as usize), rgba }
     }

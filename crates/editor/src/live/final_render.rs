@@ -136,7 +136,7 @@ impl FinalRender {
 
     /// Keeps what the worker leaves.
     pub fn keep(&mut self, rendered: Rendered) {
-        if rendered.is_complete {
+        if rendered.is_complete() {
             self.state = FinalState::Done;
             self.clock.stop();
             (self.ready, self.so_far) = (None, None);
@@ -157,7 +157,7 @@ impl FinalRender {
         let elapsed = self.clock.elapsed();
         let mut status =
             Status { error: self.error.clone(), elapsed, pass: 1, passes: 1, ..Status::default() };
-        if let Some(Progress { samples_done, samples_total }) = self.progress {
+        if let Some(Progress { samples_done, samples_total, .. }) = self.progress {
             (status.samples_done, status.samples_total) = (samples_done, samples_total);
             if samples_done > 0 {
                 let left = samples_total.saturating_sub(samples_done) as f64 / samples_done as f64;

@@ -1,8 +1,7 @@
 //! The passes of the live picture: soon a coarse one, then ever finer ones.
 
 use std::time::Duration;
-use vitrine::scene::lights::Emission;
-use vitrine::scene::{Scene, Settings};
+use vitrine::scene::{LightSource, Scene, Settings};
 
 /// The first picture should be there by then.
 const SOON: Duration = Duration::from_millis(35);
@@ -89,7 +88,7 @@ pub fn passes(view: &View) -> Vec<Pass> {
 
 fn quick(full: &Settings, scene: &Scene) -> Settings {
     let is_soft = |l: &vitrine::scene::Light| {
-        l.visible && matches!(l.source.as_kind().emission(), Emission::Disc { .. })
+        l.visible && matches!(l.source, LightSource::Disc(_) | LightSource::Sphere(_))
     };
     if full.shadow_points > QUICK_SHADOW_POINTS && scene.lights.iter().any(is_soft) {
         return Settings { shadow_points: QUICK_SHADOW_POINTS, ..full.clone() };

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 use std::time::Duration;
-use vitrine::film::{Film, ViewTransform};
+use vitrine::film::{Display, Film};
 use vitrine::math::Vec3;
 use vitrine::render::NO_OBJECT;
 use vitrine::scene::Scene;
@@ -94,8 +94,8 @@ pub struct Backdrop<'a> {
 
 /// A film as it is shown; where it has no sample yet stands what was there before.
 #[must_use]
-pub fn shown(film: &Film, backdrop: Option<Backdrop>) -> Vec<u8> {
-    let rgb = ViewTransform::Srgb.to_u8(&film.image());
+pub fn shown(film: &Film, display: &Display, backdrop: Option<Backdrop>) -> Vec<u8> {
+    let rgb = display.to_u8(&film.image());
     let mut rgba = Vec::with_capacity(rgb.len() / 3 * 4);
     for pixel in rgb.chunks_exact(3) {
         rgba.extend_from_slice(&[pixel[0], pixel[1], pixel[2], u8::MAX]);
@@ -147,19 +147,20 @@ fn mix(a: f32, b: f32, share: f32) -> f32 {
 mod tests {
     use super::*;
     use vitrine::Region;
+    use vitrine::film::TileSums;
     use vitrine::math::Rgb;
 
     #[test]
     fn what_has_no_sample_yet_shows_the_earlier_picture() {
         let mut film = Film::new(Region::whole([64, 32]));
         let white = vec![Rgb::WHITE; 32 * 32];
-        film.bands().next().unwrap().add_samples(0, &white, 1);
+        film.bands().next().unwrap().add_samples(0, TileSums::of_light(&white), 1);
         let earlier = [1, 2, 3, 255, 5, 6, 7, 255];
-        let rgba = shown(&film, Some(Backdrop { size: [2, 1], rgba: &earlier }));
+        let rgba = shown(&film, &Display::default(), Some(Backdrop { size: [2, 1], rgba: &earlier }));
         assert_eq!(rgba.len(), 64 * 32 * 4);
         assert_eq!(rgba[..4], [255; 4], "a sample");
         assert_eq!(rgba[4 * 63..4 * 64], [5, 6, 7, 255], "the right end of the earlier picture");
         assert_eq!(rgba[4 * 32..4 * 33], [3, 4, 5, 255], "halfway between its two pixels");
-        assert_eq!(shown(&film, None)[4 * 32..4 * 33], [0, 0, 0, 255]);
+        assert_eq!(shown(&film, &Display::default(), None)[4 * 32..4 * 33], [0, 0, 0, 255]);
     }
 }

@@ -3,6 +3,7 @@
 use super::*;
 use std::sync::{Condvar, Mutex};
 use std::time::Instant;
+use vitrine::film::Display;
 use vitrine::math::{Rgb, Vec3};
 use vitrine::scene::lights::{Disc, LightSource};
 use vitrine::scene::shapes::{Plane, Sphere};
@@ -100,7 +101,7 @@ fn the_picture_refines_and_ends() {
     let settings = Settings { samples: 64, ..scene.settings };
     let job = RenderJob::new(&compiled, RenderOptions { settings, region: None }).unwrap();
     let film = job.run(1, &Cancel::default(), &mut |_| {}).film;
-    assert!(last.rgba == picture::shown(&film, None));
+    assert!(last.rgba == picture::shown(&film, &Display::default(), None));
     bell.wait(|| (!live.status().is_busy).then_some(()));
 }
 

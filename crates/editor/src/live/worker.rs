@@ -10,7 +10,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 use vitrine::film::Film;
 use vitrine::scene::Settings;
-use vitrine::{RenderJob, RenderOptions, Rendered};
+use vitrine::{RenderJob, RenderOptions, Rendered, display_of};
 
 /// The least time between two pictures of one pass.
 const LOOK_EVERY: Duration = Duration::from_millis(100);
@@ -106,7 +106,7 @@ impl Worker {
                 _ => job.nothing_yet(),
             };
             let rendered = self.pass(&job, begun, (index, pass), &mut drawing)?;
-            if !rendered.is_complete || self.shared.is_stale(task) && drawing.last.is_some() {
+            if !rendered.is_complete() || self.shared.is_stale(task) && drawing.last.is_some() {
                 return Ok(());
             }
             drawing.publish(&self.shared, (index, pass), &rendered.film);
@@ -181,7 +181,7 @@ impl Worker {
                 looks.look(|| self.show_final(task, glance.film(), false));
             }
         })?;
-        self.show_final(task, rendered.film.clone(), rendered.is_complete);
+        self.show_final(task, rendered.film.clone(), rendered.is_complete());
         self.for_final(task, |last| {
             last.note_ready(ready.clone());
             last.keep(rendered);
@@ -201,7 +201,7 @@ impl Worker {
     fn show_final(&self, task: &FinalTask, film: Film, is_complete: bool) {
         let scene = task.request.scene.clone();
         let before = task.before.as_ref().map(|p| Backdrop { size: p.size, rgba: &p.rgba });
-        let rgba = shown(&film, before);
+        let rgba = shown(&film, &display_of(&scene.settings), before);
         let picture = Picture {
             generation: task.request.generation,
             source: Source::Final,
@@ -244,7 +244,7 @@ impl Drawing<'_> {
             generation: self.task.request.generation,
             source: Source::Live,
             size: pass.settings.size,
-            rgba: shown(film, before),
+            rgba: shown(film, &display_of(&pass.settings), before),
             pass: index as u32 + 1,
             passes: self.passes as u32,
             samples,

@@ -119,12 +119,7 @@ fn edit_ui(ui: &mut Ui, around: &Around, actions: &mut Actions) {
 pub fn add_entries_ui(ui: &mut Ui, actions: &mut Actions) {
     let objects = Shape::KINDS.iter().map(|k| NewThing { list: ListName::Object, kind: k.name });
     for new in objects {
-        kind_entry_ui(
-            ui,
-            new,
-            |new| if new.is_model() { Action::LoadModel } else { Action::AddDialog(new) },
-            actions,
-        );
+        kind_entry_ui(ui, new, Action::AddDialog, actions);
     }
     ui.separator();
     lights_ui(ui, Action::AddDialog, actions);
@@ -141,7 +136,7 @@ fn kind_entry_ui(ui: &mut Ui, new: NewThing, action: fn(NewThing) -> Action, act
     let name = new.name();
     let response = ui.add(Button::new(format!("{}  {name}", new.icon())));
     if response.clicked() {
-        actions.push(action(new));
+        actions.push(new.action(action));
         ui.close();
     }
     describe(response, &name, &tr!("menu-add-tooltip", name = name.as_str()));

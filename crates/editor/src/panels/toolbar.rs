@@ -73,7 +73,7 @@ fn add_ui(ui: &mut Ui, actions: &mut Actions) {
             tour::mark(ui.ctx(), "add-sphere", response.rect);
         }
         if response.clicked() {
-            actions.push(if new.is_model() { Action::LoadModel } else { Action::AddQuick(new) });
+            actions.push(new.action(Action::AddQuick));
         }
     }
     let name = tr!("toolbar-light");

@@ -9,7 +9,9 @@ mod params;
 pub use crate::tr;
 pub use fluent_bundle::FluentValue;
 pub use language::Language;
-pub use params::{choice_name, kind_name, kind_name_in, own_specs, param_label, param_tooltip};
+pub use params::{
+    choice_name, kind_name, kind_name_in, no_choice_name, own_specs, param_label, param_tooltip,
+};
 
 use locale::Locales;
 use std::cell::{Cell, RefCell};

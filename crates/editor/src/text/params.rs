@@ -41,6 +41,12 @@ pub fn choice_name(spec: &ParamSpec, word: &str) -> String {
     try_tr(&format!("choice-{}-{word}", spec.name)).unwrap_or_else(|| word.to_owned())
 }
 
+/// What is said where a choice has not been made: "none" unless the parameter has a word of its own.
+#[must_use]
+pub fn no_choice_name(spec: &ParamSpec) -> String {
+    try_tr(&format!("choice-{}-none", spec.name)).unwrap_or_else(|| tr!("widgets-none"))
+}
+
 /// The parameters that all entries of a list have, whatever their kind. Their texts are looked up under the list's word.
 #[must_use]
 pub const fn own_specs(list: ListName) -> &'static [ParamSpec] {

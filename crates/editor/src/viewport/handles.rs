@@ -6,7 +6,7 @@ use crate::theme::Theme;
 use eframe::egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, Vec2};
 use vitrine::math::{Axis, Transform, Vec3};
 use vitrine::scene::lights::Emission;
-use vitrine::scene::{ListName, Object, Scene};
+use vitrine::scene::{Assets, Light, ListName, Object, Scene};
 
 /// Points on a ring.
 const RING: usize = 64;
@@ -70,7 +70,7 @@ pub fn place_of(scene: &Scene, thing: &Thing) -> Option<Transform> {
         }
         Thing::Item(ListName::Light, name) => {
             let light = scene.lights.iter().find(|l| l.name == *name)?;
-            let at = position_of(light.source.as_kind().emission())?;
+            let at = position_of(light)?;
             Some(Transform::from_place(at, Vec3::ZERO, Vec3::ONE))
         }
         Thing::Item(..) | Thing::Settings | Thing::Camera => None,
@@ -79,10 +79,16 @@ pub fn place_of(scene: &Scene, thing: &Thing) -> Option<Transform> {
 
 /// Where a light hangs; None for light without a place.
 #[must_use]
-pub const fn position_of(emission: Emission) -> Option<Vec3> {
-    match emission {
-        Emission::Point { position } | Emission::Disc { position, .. } => Some(position),
-        Emission::Everywhere | Emission::Direction { .. } => None,
+pub fn position_of(light: &Light) -> Option<Vec3> {
+    // What has a place needs no file.
+    match light.source.as_kind().emission(&Assets::default())? {
+        Emission::Point { position }
+        | Emission::Disc { position, .. }
+        | Emission::Sphere { position, .. } => Some(position),
+        Emission::Everywhere
+        | Emission::Direction { .. }
+        | Emission::Environment { .. }
+        | Emission::Sky { .. } => None,
     }
 }
 

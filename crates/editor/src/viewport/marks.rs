@@ -6,7 +6,7 @@ use crate::document::{Selection, Thing};
 use crate::theme::{Theme, icons};
 use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Stroke, Vec2, vec2};
 use vitrine::math::Vec3;
-use vitrine::scene::Scene;
+use vitrine::scene::{ListName, Scene};
 
 /// An icon in the picture.
 #[derive(Clone, Debug)]
@@ -25,12 +25,12 @@ pub struct Mark {
 #[must_use]
 pub fn marks(scene: &Scene, selection: &Selection, projection: &Projection) -> Vec<Mark> {
     let light = |light: &vitrine::scene::Light| {
-        let point = position_of(light.source.as_kind().emission())?;
+        let point = position_of(light)?;
         Some(Mark {
             thing: Thing::light(&light.name),
             point,
             at: projection.project(point)?,
-            icon: icons::of_kind(light.source.kind()),
+            icon: icons::of_item(ListName::Light, light.source.kind()),
             is_off: !light.visible,
         })
     };

@@ -42,6 +42,8 @@ impl Number {
             (true, _) => (0, 0.2),
             (_, Unit::Degrees) => (2, 0.5),
             (_, Unit::Metres) => (3, 0.01),
+            (_, Unit::Kelvin) => (0, 50.0),
+            (_, Unit::Seconds) => (1, 1.0),
             _ if range.max <= 1.0 => (3, 0.005),
             _ => (3, 0.01),
         };
@@ -97,6 +99,9 @@ pub(super) fn unit_sign(unit: Unit) -> String {
         Unit::Metres => tr!("unit-metres"),
         Unit::Degrees => tr!("unit-degrees"),
         Unit::Pixels => tr!("unit-pixels"),
+        Unit::Micrometres => tr!("unit-micrometres"),
+        Unit::Kelvin => tr!("unit-kelvin"),
+        Unit::Seconds => tr!("unit-seconds"),
     }
 }
 

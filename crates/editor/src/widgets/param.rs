@@ -5,7 +5,7 @@ use super::number::{Number, number_field};
 use super::vector::boxes;
 use super::{choice_field, color_field, slider_with_value, text_field, toggle, vector_field};
 use crate::document::Gesture;
-use crate::text::{choice_name, param_label, param_tooltip};
+use crate::text::{choice_name, no_choice_name, param_label, param_tooltip};
 use crate::tr;
 use eframe::egui::Ui;
 use vitrine::math::Vec3;
@@ -108,6 +108,10 @@ fn usual(spec: &ParamSpec) -> Option<[f64; 2]> {
         "intensity" => Some([0.0, 2.0]),
         "shininess" => Some([1.0, 1000.0]),
         "refraction" | "specular_ior" => Some([1.0, 2.5]),
+        "transmission_dispersion_abbe_number" => Some([15.0, 90.0]),
+        "emission_luminance" => Some([0.0, 10.0]),
+        "exposure" => Some([-5.0, 5.0]),
+        "f_stop" => Some([1.0, 22.0]),
         "view_angle_deg" => Some([10.0, 110.0]),
         _ if range == Range::UNIT => Some([0.0, 1.0]),
         _ if spec.unit == Unit::None && range.max < f32::MAX => {
@@ -179,7 +183,9 @@ fn words(ui: &mut Ui, field: &Field<'_>, spec: &ParamSpec, text: &str, scene: &S
     let named = |name: &str| (Value::Text(name.to_owned()), name.to_owned());
     let choices: Vec<(Value, String)> = match spec.kind {
         ParamKind::Choice(words) => {
-            words.iter().map(|w| (Value::Text((*w).to_owned()), choice_name(spec, w))).collect()
+            let none = spec.is_optional().then(|| (Value::Nothing, no_choice_name(spec)));
+            let words = words.iter().map(|w| (Value::Text((*w).to_owned()), choice_name(spec, w)));
+            none.into_iter().chain(words).collect()
         }
         ParamKind::Reference(list) => std::iter::once((Value::Nothing, tr!("widgets-none")))
             .chain(scene.names(list).map(named))

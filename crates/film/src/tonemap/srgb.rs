@@ -1,15 +1,15 @@
-//! The sRGB curve alone.
+//! The sRGB curve, with which every view ends; alone it is the plain view.
 
 use std::sync::LazyLock;
 use vitrine_math::{Rgb, srgb_from_linear};
 
 /// Each channel on its own, clamped to 0..1.
-pub fn display(color: Rgb) -> [f32; 3] {
+pub fn curve(color: Rgb) -> [f32; 3] {
     color.to_array().map(srgb_from_linear)
 }
 
-/// The curve in 8 bits, rounded: the same numbers as by [`display`], many times faster.
-pub fn display_u8() -> impl Fn(f32) -> u8 {
+/// The curve in 8 bits, rounded: the same numbers as by [`curve`], many times faster.
+pub fn curve_u8() -> impl Fn(f32) -> u8 {
     let steps = &*STEPS;
     |v| steps.at(v)
 }
@@ -74,10 +74,10 @@ mod tests {
 
     #[test]
     fn the_table_gives_the_same_as_the_curve() {
-        let display_u8 = display_u8();
+        let curve_u8 = curve_u8();
         for i in 0..200_000 {
             let v = vitrine_math::hash::unit(vitrine_math::hash::mix(i)) * 1.01;
-            assert_eq!(display_u8(v), rounded(v), "{v}");
+            assert_eq!(curve_u8(v), rounded(v), "{v}");
         }
         // Around the ends of every step and cell, where the table could be off by one.
         let cells = (FIRST..=LAST).map(|cell| f32::from_bits(cell << SHIFT));
@@ -85,11 +85,11 @@ mod tests {
         for end in ends {
             for bits in end.to_bits() - 20..end.to_bits() + 20 {
                 let v = f32::from_bits(bits);
-                assert_eq!(display_u8(v), rounded(v), "{v}");
+                assert_eq!(curve_u8(v), rounded(v), "{v}");
             }
         }
         for v in [0.0, -0.0, -1.0, 1.0, 2.0, 1e-45, 1e30, f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
-            assert_eq!(display_u8(v), rounded(v), "{v}");
+            assert_eq!(curve_u8(v), rounded(v), "{v}");
         }
     }
 }

@@ -3,23 +3,41 @@
 use super::{ImageFormat, WriteOptions, one_line};
 use exr::meta::attribute::Chromaticities;
 use exr::prelude::{
-    AttributeValue, Encoding, Image as ExrImage, Layer, LayerAttributes, SpecificChannels, Text, Vec2,
-    WritableImage,
+    AnyChannel, AnyChannels, AttributeValue, Encoding, Error, FlatSamples, Image as ExrImage, Layer,
+    LayerAttributes, MetaData, ReadChannels, ReadLayers, Text, Vec2, WritableImage, read,
 };
 use std::io::Cursor;
 use vitrine_film::Image;
+use vitrine_math::Rgb;
 
 /// The entry of the register.
 pub const FORMAT: ImageFormat = ImageFormat { name: "OpenEXR", extensions: &["exr"], encode };
 
 fn encode(image: &Image, options: &WriteOptions) -> Result<Vec<u8>, String> {
-    let [width, height] = image.size.map(|s| s as usize);
-    let channels = SpecificChannels::rgb(|place: Vec2<usize>| {
-        let p = image.pixels[place.y() * width + place.x()];
-        (p.r, p.g, p.b)
-    });
-    let encoding = Encoding::SMALL_LOSSLESS;
-    let layer = Layer::new((width, height), LayerAttributes::default(), encoding, channels);
+    encode_channels(image.size, light(image), options)
+}
+
+/// Red, green and blue.
+pub fn light(image: &Image) -> Vec<AnyChannel<FlatSamples>> {
+    ["R", "G", "B"].into_iter().zip(planes(image)).map(|(name, plane)| AnyChannel::new(name, plane)).collect()
+}
+
+/// The three channels of a picture, each by itself.
+pub fn planes(image: &Image) -> [FlatSamples; 3] {
+    let plane = |i: usize| image.pixels.iter().map(|p| p.to_array()[i]).collect();
+    [0, 1, 2].map(|i| FlatSamples::F32(plane(i)))
+}
+
+/// A file with these channels, all of the picture's size.
+pub fn encode_channels(
+    size: [u32; 2],
+    channels: Vec<AnyChannel<FlatSamples>>,
+    options: &WriteOptions,
+) -> Result<Vec<u8>, String> {
+    let size = size.map(|s| s as usize);
+    let channels = AnyChannels::sort(channels.into());
+    let layer =
+        Layer::new((size[0], size[1]), LayerAttributes::default(), Encoding::SMALL_LOSSLESS, channels);
     let mut picture = ExrImage::from_layer(layer);
     // Rec. 709 with the white of D65.
     picture.attributes.chromaticities = Some(Chromaticities {
@@ -64,4 +82,34 @@ fn sort_attributes(file: &mut [u8]) -> Option<()> {
     let sorted = attributes.concat();
     file.get_mut(START..START + sorted.len())?.copy_from_slice(&sorted);
     Some(())
+}
+
+/// Reads the first layer that has red, green and blue: its size and its pixels, row by row from the top. `check` sees each
+/// layer's size before memory is taken for it.
+///
+/// # Errors
+/// What `check` says as `Ok`, what is wrong with the file as `Err`.
+pub fn read_linear<E>(
+    file: &[u8],
+    check: impl Fn([u32; 2]) -> Result<(), E>,
+) -> Result<([u32; 2], Vec<Rgb>), Result<E, Error>> {
+    let meta = MetaData::read_from_buffered(Cursor::new(file), false).map_err(Err)?;
+    for header in &meta.headers {
+        let size = [header.layer_size.x(), header.layer_size.y()];
+        check(size.map(|s| u32::try_from(s).unwrap_or(u32::MAX))).map_err(Ok)?;
+    }
+    let layer = read()
+        .no_deep_data()
+        .largest_resolution_level()
+        .rgb_channels(
+            |size, _| (size, vec![Rgb::BLACK; size.area()]),
+            |(size, pixels), place, (r, g, b): (f32, f32, f32)| {
+                pixels[place.flat_index_for_size(*size)] = Rgb::new(r, g, b);
+            },
+        )
+        .first_valid_layer()
+        .all_attributes()
+        .non_parallel();
+    let (size, pixels) = layer.from_buffered(Cursor::new(file)).map_err(Err)?.layer_data.channel_data.pixels;
+    Ok(([size.x() as u32, size.y() as u32], pixels))
 }

@@ -15,7 +15,7 @@ fn encode(image: &Image, options: &WriteOptions) -> Result<Vec<u8>, String> {
     let [width, height] = image.size;
     let mut file = Vec::new();
     JpegEncoder::new_with_quality(&mut file, options.jpeg_quality.clamp(1, 100))
-        .write_image(&options.view.to_u8(image), width, height, ExtendedColorType::Rgb8)
+        .write_image(&options.display.to_u8(image), width, height, ExtendedColorType::Rgb8)
         .map_err(|e| e.to_string())?;
     // The comment stands after the first segment, which must open the file: 2 bytes of marker, 2 of length, its content.
     let [_, _, _, _, high, low, ..] = file[..] else { return Err("the encoder failed".into()) };

@@ -2,16 +2,22 @@
 //! new format to write is a file beside these and a line in the register below.
 
 mod exr;
+mod exr_features;
+mod exr_layers;
 mod hdr;
 mod jpeg;
+mod panorama;
 mod picture;
 mod png;
 
+pub use exr_features::{ExrFeatures, parse_exr_features, read_exr_features};
+pub use exr_layers::{ExrLayers, encode_layers, write_layers};
+pub use panorama::{parse_panorama, read_panorama};
 pub use picture::{parse_picture, read_picture};
 
 use crate::{FormatError, write_atomically};
 use std::path::Path;
-use vitrine_film::{Image, ViewTransform};
+use vitrine_film::{Display, Image};
 
 /// A format in which pictures are written.
 #[derive(Clone, Copy, Debug)]
@@ -44,7 +50,7 @@ pub struct WriteOptions {
     /// JPEG only: 1 is small and poor, 100 large and fine.
     pub jpeg_quality: u8,
     /// For PNG and JPEG; OpenEXR and HDR keep linear light.
-    pub view: ViewTransform,
+    pub display: Display,
     /// Keys and texts that go into the file. Known to other programs are "Software", "Description" and "Title"; own
     /// keys begin with "vitrine:". Keys are printable ASCII of at most 31 characters, without a space or `=`.
     pub metadata: Vec<(String, String)>,
@@ -52,7 +58,7 @@ pub struct WriteOptions {
 
 impl Default for WriteOptions {
     fn default() -> Self {
-        Self { bits: BitDepth::Eight, jpeg_quality: 92, view: ViewTransform::default(), metadata: Vec::new() }
+        Self { bits: BitDepth::Eight, jpeg_quality: 92, display: Display::default(), metadata: Vec::new() }
     }
 }
 
@@ -75,15 +81,21 @@ pub fn image_format(path: &Path) -> Result<&'static ImageFormat, FormatError> {
 /// # Errors
 /// [`FormatError::Encode`] when the picture or its metadata do not fit into the format.
 pub fn encode(format: &ImageFormat, image: &Image, options: &WriteOptions) -> Result<Vec<u8>, FormatError> {
-    let [width, height] = image.size;
-    let whole = width as usize * height as usize == image.pixels.len() && !image.pixels.is_empty();
-    let bad_key = options.metadata.iter().map(|(key, _)| key).find(|key| !is_key(key));
-    let result = match bad_key {
-        _ if !whole => Err(format!("{width} × {height} pixels and {} colours", image.pixels.len())),
-        Some(key) => Err(format!("`{key}` is no key for a text")),
+    let result = match refusal(image, options) {
+        Some(reason) => Err(reason),
         None => (format.encode)(image, options),
     };
     result.map_err(|reason| FormatError::Encode { format: format.name, reason })
+}
+
+/// What no format can take of a picture and its metadata.
+fn refusal(image: &Image, options: &WriteOptions) -> Option<String> {
+    let [width, height] = image.size;
+    if image.pixels.is_empty() || width as usize * height as usize != image.pixels.len() {
+        return Some(format!("{width} × {height} pixels and {} colours", image.pixels.len()));
+    }
+    let bad_key = options.metadata.iter().map(|(key, _)| key).find(|key| !is_key(key));
+    bad_key.map(|key| format!("`{key}` is no key for a text"))
 }
 
 /// Writes a picture; the extension says in which format. Either the whole file is there afterwards or what was there

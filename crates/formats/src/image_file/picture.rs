@@ -8,11 +8,11 @@ use std::path::Path;
 use vitrine_scene::Picture;
 
 /// The most bytes of a file.
-const MAX_FILE: u64 = 1 << 30;
+pub(super) const MAX_FILE: u64 = 1 << 30;
 /// The most pixels along a side.
-const MAX_SIDE: u32 = 65_535;
+pub(super) const MAX_SIDE: u32 = 65_535;
 /// The most pixels: 16384 × 8192.
-const MAX_PIXELS: u64 = 1 << 27;
+pub(super) const MAX_PIXELS: u64 = 1 << 27;
 
 /// Reads a PNG or JPEG file. 16 bits become 8, grey becomes colour, transparency is left out; a photograph is turned
 /// as its camera was held.
@@ -64,8 +64,8 @@ pub fn parse_picture(bytes: &[u8], path: &Path) -> Result<Picture, FormatError> 
     Ok(Picture { size, texels: image.into_raw().as_chunks().0.to_vec() })
 }
 
-/// What a file is that is neither PNG nor JPEG.
-fn what_is(bytes: &[u8], format: Option<ImageFormat>) -> Option<&'static str> {
+/// What a file is that no reader wants.
+pub(super) fn what_is(bytes: &[u8], format: Option<ImageFormat>) -> Option<&'static str> {
     Some(match format {
         Some(ImageFormat::Gif) => "a GIF picture",
         Some(ImageFormat::WebP) => "a WebP picture",
@@ -82,7 +82,7 @@ fn what_is(bytes: &[u8], format: Option<ImageFormat>) -> Option<&'static str> {
 }
 
 /// The decoder's reason, as one short line.
-fn reason(error: &ImageError) -> String {
+pub(super) fn reason(error: &ImageError) -> String {
     let text = match error {
         ImageError::Decoding(e) => {
             std::error::Error::source(e).map_or_else(|| e.to_string(), ToString::to_string)

@@ -9,9 +9,9 @@ pub const FORMAT: ImageFormat = ImageFormat { name: "PNG", extensions: &["png"],
 
 fn encode(image: &Image, options: &WriteOptions) -> Result<Vec<u8>, String> {
     let (depth, bytes) = match options.bits {
-        BitDepth::Eight => (png::BitDepth::Eight, options.view.to_u8(image)),
+        BitDepth::Eight => (png::BitDepth::Eight, options.display.to_u8(image)),
         BitDepth::Sixteen => {
-            let values = options.view.to_u16(image);
+            let values = options.display.to_u16(image);
             (png::BitDepth::Sixteen, values.into_iter().flat_map(u16::to_be_bytes).collect())
         }
     };

@@ -150,6 +150,8 @@ pub(super) fn problem_label(cause: &Cause) -> &'static str {
         Cause::NoLight => "no light",
         Cause::NoObject => "nothing to see",
         Cause::CameraInside { .. } => "around the camera",
+        Cause::OpenSolid { .. } => "not closed",
+        Cause::EqualSolids { .. } => "overlaps another",
     }
 }
 

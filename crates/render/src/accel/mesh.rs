@@ -4,6 +4,7 @@ use super::primitives::triangle::TriangleBlock;
 use super::tree::{Item, Tree};
 use super::{LEAVES, huge, leaf};
 use rayon::prelude::*;
+use std::sync::OnceLock;
 use vitrine_math::{Bounds3, Vec3};
 
 /// A mesh ready for rays, in its own space.
@@ -16,6 +17,8 @@ pub struct MeshAccel {
     bounds: Bounds3,
     /// How many triangles the model has.
     pub(super) triangles: usize,
+    /// Whether the model is closed, once somebody has asked.
+    is_closed: OnceLock<bool>,
 }
 
 impl MeshAccel {
@@ -45,7 +48,12 @@ impl MeshAccel {
         let mut blocks = huge::with_capacity(contents.len());
         blocks.par_extend(contents.par_iter().map(block));
         let bounds = Bounds3::around(positions.iter().copied());
-        Self { tree, blocks, slots, bounds, triangles: triangles.len() }
+        Self { tree, blocks, slots, bounds, triangles: triangles.len(), is_closed: OnceLock::new() }
+    }
+
+    /// Whether the model is closed, found out once: it takes time.
+    pub(crate) fn is_closed(&self, find_out: impl FnOnce() -> bool) -> bool {
+        *self.is_closed.get_or_init(find_out)
     }
 
     /// About how many bytes building a tree over so many triangles takes at most, and the tree afterwards.

@@ -16,7 +16,7 @@ mod packet_walk;
 pub mod primitives;
 pub(crate) mod rays;
 pub mod simd;
-mod single;
+pub(crate) mod single;
 mod stack;
 mod stream;
 mod transmittance;

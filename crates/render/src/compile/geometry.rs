@@ -96,6 +96,14 @@ impl Primitive {
         }
     }
 
+    /// How many materials it has in a row, from the first on.
+    pub fn slots(&self) -> usize {
+        match &self.form {
+            Form::Mesh { mesh, .. } if self.by_triangle => mesh.materials.len() + 1,
+            _ => 1,
+        }
+    }
+
     /// Whether it is a model without any corner.
     pub fn is_nothing(&self) -> bool {
         matches!(&self.form, Form::Mesh { bounds, .. } if bounds.is_empty())

@@ -51,3 +51,46 @@ pub fn classic(emissions: &[(Emission, Rgb, usize)]) -> (Vec<CompiledLight>, Rgb
     }
     (lamps, ambient)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::Arc;
+    use vitrine_math::Vec3;
+    use vitrine_scene::lights::Environment;
+    use vitrine_scene::{Light, LightSource, RadianceMap};
+
+    fn of(emission: Emission) -> (Vec<CompiledLight>, Rgb) {
+        classic(&[(emission, Rgb::new(2.0, 1.0, 0.5), 0)])
+    }
+
+    #[test]
+    fn a_ball_is_a_disc_and_a_panorama_its_mean() {
+        let (lamps, ambient) = of(Emission::Sphere { position: Vec3::X, radius: 0.5 });
+        assert_eq!(lamps[0].emission, Emission::Disc { position: Vec3::X, radius: 0.5 });
+        assert_eq!(ambient, Rgb::BLACK);
+        let map = Arc::new(RadianceMap { size: [2, 1], pixels: vec![Rgb::WHITE, Rgb::splat(3.0)] });
+        let (lamps, ambient) = of(Emission::Environment { map, turn: 1.0 });
+        assert_eq!((lamps.len(), ambient), (0, Rgb::new(4.0, 2.0, 1.0)));
+    }
+
+    #[test]
+    fn a_sky_is_sunlight_and_ambient_light_and_after_sunset_the_latter_alone() {
+        let sky = |y: f32, sun| {
+            of(Emission::Sky { to_sun: Vec3::new(1.0, y, 0.0).normalize(), turbidity: 3.0, sun })
+        };
+        let (lamps, ambient) = sky(1.0, true);
+        assert!(matches!(lamps[0].emission, Emission::Direction { travels } if travels.y < 0.0));
+        assert!(ambient.luminance() > 0.0 && lamps[0].radiance.luminance() > ambient.luminance());
+        assert_eq!([sky(1.0, false).0.len(), sky(-0.05, true).0.len()], [0, 0]);
+    }
+
+    #[test]
+    fn a_missing_panorama_names_its_light() {
+        let source = LightSource::Environment(Environment::default());
+        let light = Light { name: "street".into(), source, ..Light::default() };
+        let scene = Scene { lights: vec![Light::default(), light], ..Scene::default() };
+        let error = emissions(&scene, &Assets::default()).unwrap_err();
+        assert_eq!(error, CompileError::MissingPanorama { light: "street".into() });
+    }
+}

@@ -1,15 +1,17 @@
 //! Materials and textures by index.
 
 use super::limits::dimmed;
+use super::physical::{CompiledPhysical, TextureSet};
 use crate::accel::BLOCK;
 use crate::accel::packet::{load3, select3, splat3};
-use crate::accel::simd::Simd;
+use crate::accel::simd::{Portable, Simd};
+use crate::accel::single::One;
 use crate::error::CompileError;
 use crate::surface::lanes_of;
 use std::collections::HashMap;
 use std::ops::Range;
 use std::sync::Arc;
-use vitrine_math::Rgb;
+use vitrine_math::{Rgb, srgb_from_linear};
 use vitrine_optics::PhongSurface;
 use vitrine_scene::{Assets, Material, Pattern, Picture, Scene, TriangleMesh, Wrap};
 
@@ -81,6 +83,23 @@ impl CompiledTexture {
         }
     }
 
+    /// The colour in one point of the surface: u to the right, v up.
+    #[must_use]
+    pub fn color_at(&self, uv: [f32; 2]) -> Rgb {
+        let s = One(Portable);
+        let [u, v] = [self.along(s, uv[0], 0), self.along(s, uv[1], 1)];
+        match &self.pattern {
+            Pattern::Checker { .. } => Rgb::from(self.colors(s, true, &uv)),
+            Pattern::Picture { picture, wrap } => bilinear(picture, *wrap, u, v),
+        }
+    }
+
+    /// The numbers in one point, each from 0 to 1 as the picture's file holds them: for maps that are no colours.
+    #[must_use]
+    pub fn data_at(&self, uv: [f32; 2]) -> Rgb {
+        Rgb::from(self.color_at(uv).to_array().map(srgb_from_linear))
+    }
+
     /// A coordinate in repeats of the pattern: no more than fractions can tell apart. One that is no number goes to the limit,
     /// too.
     #[inline(always)]
@@ -134,6 +153,7 @@ fn bounded(pattern: Pattern) -> Pattern {
 /// All materials and textures, by name while compiling.
 pub struct MaterialTable {
     pub materials: Vec<CompiledMaterial>,
+    pub physical: Vec<CompiledPhysical>,
     pub textures: Vec<CompiledTexture>,
     by_name: HashMap<String, u32>,
     /// The material of things that state none.
@@ -151,22 +171,26 @@ impl MaterialTable {
             textures.push(CompiledTexture { pattern, repeat: texture.repeat, shift: texture.shift });
             texture_index.insert(texture.name.as_str(), i);
         }
-        let (mut materials, mut by_name) = (Vec::new(), HashMap::new());
+        let (mut materials, mut physical, mut by_name) = (Vec::new(), Vec::new(), HashMap::new());
         for material in &scene.materials {
             let missing = |name: &String| CompileError::MissingName {
                 owner: material.name.clone(),
                 name: name.clone(),
             };
-            let texture = match &material.texture {
-                Some(name) => Some(*texture_index.get(name.as_str()).ok_or_else(|| missing(name))?),
-                None => None,
+            let find = |name: &Option<String>| match name {
+                Some(name) => {
+                    texture_index.get(name.as_str()).copied().ok_or_else(|| missing(name)).map(Some)
+                }
+                None => Ok(None),
             };
             by_name.insert(material.name.clone(), materials.len() as u32);
-            materials.push(CompiledMaterial::new(material, texture));
+            materials.push(CompiledMaterial::new(material, find(&material.texture)?));
+            physical.push(CompiledPhysical::new(material, TextureSet::find(material, find)?));
         }
         let unstated = materials.len() as u32;
         materials.push(CompiledMaterial::new(&Material::default(), None));
-        Ok(Self { materials, textures, by_name, unstated })
+        physical.push(CompiledPhysical::new(&Material::default(), TextureSet::default()));
+        Ok(Self { materials, physical, textures, by_name, unstated })
     }
 
     /// The index of a material by name; that of a plain grey one for None.
@@ -188,6 +212,7 @@ impl MaterialTable {
     pub fn add_slots(&mut self, mesh: &TriangleMesh, assets: &Assets) -> Result<Range<u32>, CompileError> {
         let first = self.materials.len() as u32;
         self.materials.push(self.materials[self.unstated as usize].clone());
+        self.physical.push(self.physical[self.unstated as usize].clone());
         for slot in &mesh.materials {
             let texture = match &slot.picture {
                 None => None,
@@ -200,6 +225,9 @@ impl MaterialTable {
                 }
             };
             self.materials.push(CompiledMaterial::new(&slot.material, texture));
+            let color = texture.map(|t| t as u32);
+            self.physical
+                .push(CompiledPhysical::new(&slot.material, TextureSet { color, ..TextureSet::default() }));
         }
         Ok(first..self.materials.len() as u32)
     }

@@ -7,17 +7,24 @@ mod lamps;
 mod limits;
 mod materials;
 mod models;
+mod photoreal;
+mod physical;
+mod solids;
 mod touching;
 
 pub use camera::CompiledCamera;
 pub use geometry::{Form, Primitive};
 pub use limits::{FARTHEST, memory_limit};
 pub use materials::{CompiledMaterial, CompiledTexture};
+pub use photoreal::Photoreal;
+pub use physical::CompiledPhysical;
+pub use solids::{AIR, Piece, Solids, probe};
 pub use touching::reach_of;
 
 use crate::accel::simd::Instructions;
 use crate::accel::{Accel, AccelFlaw};
 use crate::error::CompileError;
+use crate::integrators::CompiledMedia;
 use crate::surface::NormalField;
 use models::Models;
 use vitrine_math::{Bounds3, Rgb};
@@ -35,8 +42,10 @@ pub struct CompiledScene {
     pub(crate) textures: Vec<CompiledTexture>,
     /// What shines, as the classic renderer takes it: without `Everywhere`, `Environment`, `Sky` and `Sphere`.
     pub(crate) lights: Vec<CompiledLight>,
-    /// What shines, as it is: each light with its radiance and its place in the scene's list.
-    pub(crate) emissions: Vec<(Emission, Rgb, usize)>,
+    /// The materials as the photoreal renderer sees them, by the same indices.
+    pub(crate) physical: Vec<CompiledPhysical>,
+    /// What else the photoreal renderer needs.
+    pub(crate) photoreal: Photoreal,
     /// The sum of all light that is everywhere.
     pub(crate) ambient: Rgb,
     pub(crate) background: Rgb,
@@ -97,7 +106,16 @@ pub fn compile_with(
     let transparencies = table.materials.iter().map(|m| m.transparency).collect();
     let emissions = lamps::emissions(scene, assets)?;
     let (lights, ambient) = lamps::classic(&emissions);
-    Ok(CompiledScene {
+    let parts = photoreal::Parts {
+        primitives: &geometry.primitives,
+        physical: &table.physical,
+        emissions: &emissions,
+        lights: &scene.lights,
+        bounds: geometry.bounds,
+        camera: scene.camera.position,
+    };
+    let photoreal = Photoreal::new(&parts);
+    let mut compiled = CompiledScene {
         accel: Accel::new(geometry.collected, transparencies),
         camera: CompiledCamera::new(&scene.camera),
         normals: geometry.primitives.iter().map(NormalField::new).collect(),
@@ -105,13 +123,16 @@ pub fn compile_with(
         materials: table.materials,
         textures: table.textures,
         lights,
-        emissions,
+        physical: table.physical,
+        photoreal,
         ambient: limits::dimmed(ambient),
         background: limits::dimmed(scene.settings.background),
         bounds: geometry.bounds,
         triangles: geometry.triangles,
         mesh_memory: geometry.models.memory,
-    })
+    };
+    compiled.photoreal.camera_media = CompiledMedia::at(&compiled, scene.camera.position);
+    Ok(compiled)
 }
 
 impl CompiledScene {

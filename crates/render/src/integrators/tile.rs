@@ -52,6 +52,12 @@ impl TileOrder {
         [s.load(&self.x[first..]), s.load(&self.y[first..])]
     }
 
+    /// A pixel's number, row by row.
+    #[inline(always)]
+    pub fn number(&self, pixel: usize) -> usize {
+        self.numbers[pixel] as usize
+    }
+
     /// Where a pixel stands in the tile, from its left and top.
     #[inline(always)]
     pub fn place(&self, pixel: usize) -> [u32; 2] {

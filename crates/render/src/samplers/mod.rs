@@ -1,9 +1,8 @@
 //! Sample points as pure functions of (pixel, sample, dimension, seed): the same for any number of threads.
 
-mod filter;
+pub mod filter;
 mod path;
 
-pub use filter::PixelFilter;
 pub use path::PathSampler;
 
 use vitrine_math::hash;

@@ -1,12 +1,12 @@
 //! Where a point lies on the pictures of its surface.
 
-use super::{HitPoints, lanes_of};
+use super::{HitPoints, Spot, lanes_of};
 use crate::accel::packet::{dot, moved, splat3, store3};
 use crate::accel::simd::Simd;
 use crate::accel::{BLOCK, Hit};
 use crate::compile::{CompiledScene, Form, Primitive};
 use std::f32::consts::PI;
-use vitrine_math::{Transform, Vec2, Vec3};
+use vitrine_math::{Frame, Transform, Vec2, Vec3};
 
 impl CompiledScene {
     /// Where on their surface's pictures points lie, in lanes that all hit the same thing or others of its material: u to the
@@ -82,6 +82,62 @@ impl Primitive {
             }
         }
     }
+}
+
+impl Primitive {
+    /// The ways over the surface in which u and v grow, in metres for each 1 of u and v.
+    pub(super) fn tangents(&self, spot: &Spot) -> [Vec3; 2] {
+        let place = &self.transform;
+        let local = || place.object_from_world.transform_point3(spot.p);
+        match &self.form {
+            Form::Plane { .. } => [place.vector(Vec3::X), place.vector(Vec3::NEG_Z)],
+            Form::Disc { unit, .. } => [unit.vector(Vec3::X) * 2.0, unit.vector(Vec3::NEG_Z) * 2.0],
+            Form::Triangle { points, uvs, .. } => slopes(*points, uvs.map(Vec2::from), spot.ns),
+            Form::Box { unit } => {
+                let p = unit.object_from_world.transform_point3(spot.p);
+                let [u, v] = match face_of(p, unit) {
+                    (0, side) => [Vec3::Z * -side, Vec3::Y],
+                    (1, side) => [Vec3::X, Vec3::Z * -side],
+                    (_, side) => [Vec3::X * side, Vec3::Y],
+                };
+                [unit.vector(u) * 2.0, unit.vector(v) * 2.0]
+            }
+            Form::Sphere { .. } | Form::Ellipsoid { .. } => round_tangents(local()).map(|t| place.vector(t)),
+            Form::Mesh { mesh, bounds, .. } if mesh.uvs.is_empty() => {
+                round_tangents(local() - bounds.center()).map(|t| place.vector(t))
+            }
+            Form::Mesh { mesh, .. } => {
+                let corners = mesh.triangles[spot.hit.triangle as usize];
+                let points = corners.map(|i| place.point(mesh.positions[i as usize]));
+                slopes(points, corners.map(|i| mesh.uvs[i as usize]), spot.ns)
+            }
+        }
+    }
+}
+
+/// Along the circles of latitude and of longitude.
+fn round_tangents(p: Vec3) -> [Vec3; 2] {
+    let (r, across) = (p.length(), Vec3::new(p.z, 0.0, -p.x));
+    let ring = across.length();
+    // At the poles any direction will do.
+    let u = if ring > 1e-6 * r { across * (2.0 * PI) } else { Vec3::X * (2.0 * PI * r) };
+    let up = if ring > 1e-6 * r {
+        (Vec3::Y * (ring * ring) - Vec3::new(p.x, 0.0, p.z) * p.y) / ring
+    } else {
+        Vec3::Z * r
+    };
+    [u, up * PI]
+}
+
+/// How a point moves as u and v grow over a triangle; any two ways along it where its pictures have no area.
+fn slopes([a, b, c]: [Vec3; 3], [ta, tb, tc]: [Vec2; 3], n: Vec3) -> [Vec3; 2] {
+    let ([p, q], [s, t]) = ([b - a, c - a], [tb - ta, tc - ta]);
+    let area = s.x * t.y - s.y * t.x;
+    if area.abs() <= f32::MIN_POSITIVE {
+        let frame = Frame::around(n);
+        return [frame.x, frame.y];
+    }
+    [(p * t.y - q * s.y) / area, (q * s.x - p * t.x) / area]
 }
 
 fn mix([a, b, c]: [Vec2; 3], [u, v]: [f32; 2]) -> Vec2 {

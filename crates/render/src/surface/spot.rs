@@ -1,8 +1,9 @@
 //! The points of hits one after another, for who works on them one by one.
 
-use super::HitLanes;
+use super::{HitLanes, HitPoints};
 use crate::accel::packet::store3;
-use crate::accel::simd::{Kernel, Simd};
+use crate::accel::simd::{Kernel, Portable, Simd};
+use crate::accel::single::One;
 use crate::accel::{BLOCK, Column, Hit, HitStream, NOTHING, RayStream};
 use crate::compile::CompiledScene;
 use vitrine_math::Vec3;
@@ -76,6 +77,20 @@ impl Spots {
             reach: block.reach[lane],
             material: block.material[lane].to_bits(),
         }
+    }
+}
+
+impl CompiledScene {
+    /// Where a point that ray `i` has hit lies on the pictures of its surface: u to the right, v up.
+    pub(crate) fn uv_of(&self, rays: &RayStream, hits: &HitStream, i: usize, p: Vec3) -> [f32; 2] {
+        let at = HitLanes { rays: &rays.blocks()[i / BLOCK], hits: hits.block(i / BLOCK), start: i % BLOCK };
+        let points = HitPoints { at: &at, hit: true, p: p.to_array() };
+        self.texture_points(One(Portable), true, &points)
+    }
+
+    /// The ways over a surface in which u and v grow, in metres for each 1 of u and v. World space.
+    pub(crate) fn tangents(&self, spot: &Spot) -> [Vec3; 2] {
+        self.primitives[spot.hit.primitive as usize].tangents(spot)
     }
 }
 

@@ -264,7 +264,7 @@ fn no_light_is_black_and_no_object_is_background() {
     shot.put(ball(100.0), matte(GREEN));
     assert!(shot.picture().pixels.iter().all(|p| *p == Rgb::BLACK));
     let rendered = shot.rendered(1, None);
-    assert_eq!((rendered.is_complete, rendered.rays), (true, 400));
+    assert_eq!((rendered.is_complete(), rendered.rays), (true, 400));
 }
 
 #[test]

@@ -11,12 +11,13 @@ use vitrine_math::{Rgb, Vec3, hash};
 use vitrine_render::accel::simd::Instructions;
 use vitrine_render::{CompileError, RenderOptions, compile};
 use vitrine_scene::{
-    Assets, Item, KindSpec, LightSource, ListName, Owner, ParamKind, ParamSpec, Picture, Range, Scene,
-    Severity, Shape, TextureSource, TriangleMesh, Value,
+    Assets, Item, KindSpec, LightSource, ListName, Owner, ParamKind, ParamSpec, Picture, RadianceMap, Range,
+    Scene, Severity, Shape, TextureSource, TriangleMesh, Value,
 };
 
 const MODELS: [&str; 4] = ["cube.obj", "ball.obj", "square.obj", "odd.obj"];
 const PICTURES: [&str; 2] = ["dot.png", "four.png"];
+const PANORAMAS: [&str; 1] = ["bright.hdr"];
 
 fn assets() -> Assets {
     let mut smooth = models::faceted_ball(1.0, 3);
@@ -30,9 +31,11 @@ fn assets() -> Assets {
         Picture { size: [1, 1], texels: vec![[9, 99, 199]] },
         Picture { size: [2, 2], texels: vec![[0; 3], [255; 3], [255, 0, 0], [0, 255, 0]] },
     ];
+    let panoramas = [RadianceMap { size: [2, 1], pixels: vec![Rgb::splat(1e30), Rgb::BLACK] }];
     Assets {
         meshes: MODELS.iter().map(PathBuf::from).zip(all.map(Arc::new)).collect(),
         pictures: PICTURES.iter().map(PathBuf::from).zip(pictures.map(Arc::new)).collect(),
+        maps: PANORAMAS.iter().map(PathBuf::from).zip(panoramas.map(Arc::new)).collect(),
     }
 }
 
@@ -117,8 +120,12 @@ impl Author {
             ParamKind::Choice(words) => Value::Text(self.one_of(words).to_owned()),
             ParamKind::Text => Value::Text("a scene by chance".to_owned()),
             ParamKind::File => {
-                let is_model = matches!(owner, Owner::Item(ListName::Object, _));
-                Value::Text(self.one_of(if is_model { &MODELS } else { &PICTURES }).to_owned())
+                let files: &[&str] = match owner {
+                    Owner::Item(ListName::Object, _) => &MODELS,
+                    Owner::Item(ListName::Light, _) => &PANORAMAS,
+                    _ => &PICTURES,
+                };
+                Value::Text(self.one_of(files).to_owned())
             }
             ParamKind::Reference(list) => match scene.names(list).collect::<Vec<_>>() {
                 names if names.is_empty() => Value::Nothing,
@@ -159,6 +166,9 @@ impl Author {
         if scene.camera.look_at.is_some() {
             scene.camera.turn_deg = None;
         }
+        if matches!(scene.camera.blades, 1 | 2) {
+            scene.camera.blades = 0;
+        }
         (0..3).for_each(|_| self.add(&mut scene, |s| &mut s.lights, LightSource::KINDS));
         (0..2).for_each(|_| self.add(&mut scene, |s| &mut s.textures, TextureSource::KINDS));
         (0..3).for_each(|_| self.add(&mut scene, |s| &mut s.materials, &[]));
@@ -170,6 +180,8 @@ impl Author {
         // Small enough for a test.
         let settings = &mut scene.settings;
         (settings.samples, settings.depth) = (settings.samples.min(3), settings.depth.min(5));
+        // What a time limit leaves out nobody can foretell.
+        settings.time_limit = 0.0;
         scene
     }
 }

@@ -71,7 +71,7 @@ fn c16_any_number_of_threads_gives_the_same_bytes() {
                 let many = shot.rendered(threads, region);
                 assert!(bytes(&many.film.image()) == bytes(&one.film.image()), "{threads} threads");
                 assert_eq!(many.rays, one.rays);
-                assert!(many.is_complete);
+                assert!(many.is_complete());
             }
         }
     }
@@ -124,7 +124,7 @@ fn c15_progress_never_falls_and_ends_at_the_total() {
     let mut told: Vec<Progress> = Vec::new();
     let start = Instant::now();
     let rendered = job.run(2, &Cancel::default(), &mut |p| told.push(p));
-    assert!(rendered.is_complete);
+    assert!(rendered.is_complete());
     assert_eq!(rendered.film.samples(), 101 * 77 * 30);
     assert!(told.windows(2).all(|w| w[0].samples_done <= w[1].samples_done));
     assert!(told.iter().all(|p| p.samples_total == 101 * 77 * 30));
@@ -148,7 +148,7 @@ fn c15_stopping_keeps_the_finished_tiles() {
             stop.cancel();
         }
     });
-    assert!(cancel.is_cancelled() && !rendered.is_complete);
+    assert!(cancel.is_cancelled() && !rendered.is_complete());
     assert!(stopped_at.expect("it was told").elapsed() < Duration::from_secs(5), "soon");
     let (done, total) = (rendered.film.samples(), 640 * 640 * 100);
     assert!(done > 0 && done < total, "{done} of {total}");
@@ -181,7 +181,7 @@ fn c15_a_job_that_is_stopped_before_it_begins_is_black() {
     cancel.cancel();
     let mut told = 0;
     let rendered = RenderJob::new(&scene, shot.options()).unwrap().run(3, &cancel, &mut |_| told += 1);
-    assert!(!rendered.is_complete && rendered.film.samples() == 0 && rendered.rays == 0);
+    assert!(!rendered.is_complete() && rendered.film.samples() == 0 && rendered.rays == 0);
     assert!(rendered.film.image().pixels.iter().all(|p| *p == Rgb::BLACK));
     assert_eq!(told, 1, "the end is told");
 }
@@ -190,7 +190,7 @@ fn c15_a_job_that_is_stopped_before_it_begins_is_black() {
 fn c16_more_threads_than_pieces_are_no_trouble() {
     let mut shot = rich();
     shot.scene.settings.size = [3, 2];
-    assert!(shot.rendered(64, None).is_complete);
+    assert!(shot.rendered(64, None).is_complete());
 }
 
 #[test]

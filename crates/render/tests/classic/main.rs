@@ -21,5 +21,6 @@ mod resume;
 mod shadows;
 mod shapes;
 mod soft;
+mod stopping;
 mod textures;
 mod views;

@@ -29,7 +29,7 @@ fn in_pieces(job: &RenderJob, dice: &mut Dice) -> (Rendered, u32) {
         });
         so_far = job.resume(so_far, threads, &cancel, &mut |_| {}).expect("its own film fits");
         stopper.join().expect("it only sleeps");
-        if so_far.is_complete {
+        if so_far.is_complete() {
             return (so_far, stops);
         }
         stops += 1;
@@ -58,18 +58,18 @@ fn c15_a_job_goes_on_from_every_look_at_it() {
     let shot = shot(60);
     let scene = shot.compiled();
     let job = job(&scene, &shot);
-    let mut films = Vec::new();
+    let mut looks = Vec::new();
     let whole = job
         .resume(job.nothing_yet(), 2, &Cancel::default(), &mut |glance| {
             assert!(glance.film().samples() <= glance.progress().samples_total);
-            films.push(glance.film());
+            looks.push(glance.so_far());
         })
         .unwrap();
-    assert!(films.last() == Some(&whole.film), "the end is shown");
-    for film in films {
-        let so_far = Rendered { film, is_complete: false, rays: 0 };
+    assert!(looks.last().is_some_and(|last| last.film == whole.film), "the end is shown");
+    for so_far in looks {
         let again = job.resume(so_far, 3, &Cancel::default(), &mut |_| {}).unwrap();
-        assert!(again.is_complete && again.film == whole.film);
+        assert!(again.is_complete() && again.film == whole.film);
+        assert_eq!((again.rays, again.bad_samples), (whole.rays, 0));
     }
 }
 
@@ -88,7 +88,7 @@ fn a_film_of_another_picture_is_refused() {
     let scene = shot.compiled();
     let refused = |film: Rendered| {
         let error = job(&scene, &shot).resume(film, 1, &Cancel::default(), &mut |_| {});
-        matches!(error, Err(RenderError::OtherFilm))
+        matches!(error, Err(RenderError::OtherFilm | RenderError::OtherBlocks { .. }))
     };
     let rendered = |size, samples| {
         let mut other = shot.clone();

@@ -122,3 +122,18 @@ pub enum Emission {
         sun: bool,
     },
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_temperature_gives_colour_and_takes_no_brightness() {
+        let light = Light { intensity: 2.0, color: Rgb::new(0.5, 0.25, 0.125), ..Light::default() };
+        assert_eq!(light.radiance(), Rgb::new(1.0, 0.5, 0.25));
+        let white = Light { intensity: 2.0, ..Light::default() };
+        let candle = Light { temperature: Some(1900.0), ..white.clone() };
+        assert!((candle.radiance().luminance() - white.radiance().luminance()).abs() < 1e-5);
+        assert!(candle.radiance().r > 3.0 * candle.radiance().b, "{:?}", candle.radiance());
+    }
+}

@@ -18,12 +18,15 @@
 //! |---|---|
 //! | base_color, transmission_color | color |
 //! | base_weight | diffuse |
-//! | base_metalness | 1 if a metal is named, else reflectivity |
-//! | specular_weight | specular |
-//! | specular_roughness | 0.1 if a metal is named, else √α · (1 − reflectivity), α² = 2/(4·shininess + 2) |
+//! | base_metalness | 1 if a metal is named, else reflectivity; of what light passes 0 |
+//! | specular_weight | specular; of what light passes 1 |
+//! | specular_roughness | 0.1 if a metal is named, 0 of what light passes, else √α · (1 − reflectivity), α² = 2/(4·shininess + 2) |
 //! | specular_ior | refraction if it is more than 1, else 1.5 |
 //! | transmission_weight | transparency |
 //! | transmission_dispersion_scale | 1 if an Abbe number is stated, else 0 |
+//!
+//! What light passes (transmission_weight or transparency is more than 0) is clear glass or water, which mirrors by its index
+//! alone, unless its roughness is stated.
 //!
 //! A metal that is named stands in the place of base_color, even of one that is stated. What light goes through is solid
 //! unless geometry_thin_walled says otherwise, where the form has an inside; planes, triangles and discs are thin sheets.
@@ -254,6 +257,8 @@ impl Material {
     fn surface(&self) -> PhysicalMaterial {
         let default = PhysicalMaterial::default();
         let mirror = self.reflectivity.unwrap_or(0.0);
+        let is_clear = self.metal.is_none()
+            && self.transmission_weight.or(self.transparency).is_some_and(|passes| passes > 0.0);
         PhysicalMaterial {
             metal: self.metal,
             base_weight: self.base_weight.or(self.diffuse).unwrap_or(default.base_weight),
@@ -267,13 +272,17 @@ impl Material {
             base_metalness: self
                 .base_metalness
                 .or(self.metal.map(|_| 1.0))
-                .or(self.reflectivity)
+                .or(self.reflectivity.filter(|_| !is_clear))
                 .unwrap_or(default.base_metalness),
-            specular_weight: self.specular_weight.or(self.specular).unwrap_or(default.specular_weight),
+            specular_weight: self
+                .specular_weight
+                .or(self.specular.filter(|_| !is_clear))
+                .unwrap_or(default.specular_weight),
             specular_color: self.specular_color.unwrap_or(default.specular_color),
             specular_roughness: self
                 .specular_roughness
                 .or(self.metal.map(|_| METAL_ROUGHNESS))
+                .or(is_clear.then_some(0.0))
                 .or(self.shininess.map(|s| roughness_from_shininess(s) * (1.0 - mirror)))
                 .or(self.reflectivity.map(|r| default.specular_roughness * (1.0 - r)))
                 .unwrap_or(default.specular_roughness),
@@ -361,6 +370,32 @@ mod tests {
         let dull = Material { specular_roughness: Some(0.5), ..polished.clone() };
         assert_eq!(polished.classic().reflectivity, 1.0);
         assert_eq!(dull.classic().reflectivity, 0.5);
+    }
+
+    #[test]
+    fn a_named_metal_is_metal_polished_by_hand_of_its_own_colour() {
+        let stated = Material {
+            metal: Some(Metal::Gold),
+            base_color: Some(Rgb::BLACK),
+            shininess: Some(5.0),
+            ..Material::default()
+        };
+        let gold = stated.physical();
+        assert_eq!((gold.metal, gold.base_color), (Some(Metal::Gold), Metal::Gold.color()));
+        assert_eq!((gold.base_metalness, gold.specular_roughness, gold.base_weight), (1.0, 0.1, 1.0));
+        let classic = stated.classic();
+        assert_eq!(classic.color, Metal::Gold.color());
+        assert!((classic.reflectivity - 0.9 * Metal::Gold.color().b).abs() < 1e-6, "{classic:?}");
+        let worn = Material { base_metalness: Some(0.5), specular_roughness: Some(0.4), ..stated };
+        assert_eq!((worn.physical().base_metalness, worn.physical().specular_roughness), (0.5, 0.4));
+    }
+
+    #[test]
+    fn an_abbe_number_alone_turns_dispersion_on() {
+        let flint = Material { transmission_dispersion_abbe_number: Some(30.0), ..Material::default() };
+        assert_eq!(flint.physical().transmission_dispersion_scale, 1.0);
+        let off = Material { transmission_dispersion_scale: Some(0.0), ..flint };
+        assert_eq!(off.physical().transmission_dispersion_scale, 0.0);
     }
 
     #[test]

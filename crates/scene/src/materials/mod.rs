@@ -107,3 +107,38 @@ crate::params! {
         bump_height: Option<f32> = None => ParamKind::Number(Range::ANY), Metres;
     }
 }
+
+impl Material {
+    /// The names of all textures, where there are any: that of the colour first.
+    #[must_use]
+    pub const fn textures(&self) -> [&Option<String>; 10] {
+        [
+            &self.texture,
+            &self.base_weight_texture,
+            &self.roughness_texture,
+            &self.metalness_texture,
+            &self.specular_texture,
+            &self.transmission_texture,
+            &self.coat_texture,
+            &self.emission_texture,
+            &self.normal_map,
+            &self.bump_map,
+        ]
+    }
+
+    /// The same, to change.
+    pub const fn textures_mut(&mut self) -> [&mut Option<String>; 10] {
+        [
+            &mut self.texture,
+            &mut self.base_weight_texture,
+            &mut self.roughness_texture,
+            &mut self.metalness_texture,
+            &mut self.specular_texture,
+            &mut self.transmission_texture,
+            &mut self.coat_texture,
+            &mut self.emission_texture,
+            &mut self.normal_map,
+            &mut self.bump_map,
+        ]
+    }
+}

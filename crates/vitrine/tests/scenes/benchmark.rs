@@ -2,8 +2,7 @@
 
 use crate::support::coursework;
 use vitrine::math::Vec3;
-use vitrine::scene::lights::Emission;
-use vitrine::scene::{Geometry, Object, Shape};
+use vitrine::scene::{Geometry, LightSource, Object, Shape};
 use vitrine::{Project, RenderJob, RenderOptions};
 
 fn spheres(project: &Project) -> Vec<(&Object, f32)> {
@@ -43,8 +42,7 @@ fn c18_the_benchmark_has_the_counts_of_the_course_work() {
 
     let planes = scene.objects.iter().filter(|o| matches!(o.shape, Shape::Plane(_))).count();
     assert_eq!((planes, scene.objects.len()), (1, 15 + 4 + 1), "the ground, and nothing besides");
-    let lamps =
-        scene.lights.iter().filter(|l| !matches!(l.source.as_kind().emission(), Emission::Everywhere));
+    let lamps = scene.lights.iter().filter(|l| !matches!(l.source, LightSource::Ambient(_)));
     assert_eq!(lamps.count(), 2, "lights that shine from somewhere");
     assert_eq!((scene.settings.size, scene.settings.samples, scene.settings.depth), ([809, 817], 1, 3));
 }

@@ -11,7 +11,7 @@ mod textures;
 mod transparency;
 
 use support::{all_scenes, load};
-use vitrine::scene::lights::Emission;
+use vitrine::scene::LightSource;
 
 #[test]
 fn every_scene_is_read_without_a_word_and_can_be_rendered() {
@@ -35,11 +35,7 @@ fn every_scene_says_what_it_shows_and_has_a_ground() {
         let ground = project.scene.object("ground").unwrap_or_else(|| panic!("{file} has no ground"));
         let place = project.scene.world_from_object(ground);
         assert_eq!((ground.shape.kind(), place.point(vitrine::math::Vec3::ZERO).y), ("plane", 0.0), "{file}");
-        let lit = project
-            .scene
-            .lights
-            .iter()
-            .any(|l| !matches!(l.source.as_kind().emission(), Emission::Everywhere));
+        let lit = project.scene.lights.iter().any(|l| !matches!(l.source, LightSource::Ambient(_)));
         assert!(lit, "{file} has no lamp");
     }
 }

@@ -44,7 +44,7 @@ pub fn picture(project: &Project, changes: &[&str]) -> Image {
     changed.scene = project.scene.clone();
     changed.set(changes).unwrap();
     let rendered = vitrine::render(&changed, 0).unwrap();
-    assert!(rendered.is_complete);
+    assert!(rendered.is_complete());
     rendered.film.image()
 }
 

@@ -43,7 +43,7 @@ pub fn measure(most: u32, size: [u32; 2], rounds: usize, mut progress: impl FnMu
     let samples_total = sizes.len() as u64;
     let mut steps = Vec::new();
     for triangles in sizes {
-        progress(Progress { samples_done: steps.len() as u64, samples_total });
+        progress(Progress { samples_done: steps.len() as u64, samples_total, noise: None });
         let scene = SceneKind::Cave.scene(triangles);
         let kernel = Kernel::build(&scene);
         let race = |set: &RaySet| race_own(&kernel, set, rounds);

@@ -100,7 +100,7 @@ impl KernelBench {
         for kind in kinds {
             let samples_done = (measured.len() * RayKind::ALL.len()) as u64;
             measured.push(self.measure(kind, |sets| {
-                bar.show(Progress { samples_done: samples_done + sets, samples_total });
+                bar.show(Progress { samples_done: samples_done + sets, samples_total, noise: None });
             }));
         }
         drop(bar);

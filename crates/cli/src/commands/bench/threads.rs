@@ -136,9 +136,9 @@ impl Threads {
         for repeat in 0..u64::from(self.repeats) {
             for (done, (times, &threads)) in times.iter_mut().zip(counts).enumerate() {
                 let samples_done = repeat * counts.len() as u64 + done as u64;
-                bar.show(Progress { samples_done, samples_total });
+                bar.show(Progress { samples_done, samples_total, noise: None });
                 let made = picture::make(&compiled, project.options(), threads, cancel, &mut |_| {})?;
-                if !made.rendered.is_complete {
+                if !made.rendered.is_complete() {
                     return Ok(None);
                 }
                 times.push(made.elapsed);

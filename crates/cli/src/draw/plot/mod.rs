@@ -11,7 +11,7 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::{FontStyle, register_font};
 use std::path::Path;
-use vitrine::film::ViewTransform;
+use vitrine::film::Display;
 use vitrine::math::Rgb;
 use vitrine::{Image, WriteOptions, formats};
 
@@ -95,9 +95,8 @@ pub fn plot(path: &Path, chart: &impl Chart) -> Result<(), Failure> {
     let mut bytes = vec![0; large[0] as usize * large[1] as usize * 3];
     draw(chart, BitMapBackend::with_buffer(&mut bytes, large.into()), SMOOTH)?;
     let pixels = bytes.chunks_exact(3).map(|p| Rgb::from_srgb8([p[0], p[1], p[2]])).collect();
-    let view = ViewTransform::Srgb;
-    let image = shrink(&Image { size: large, pixels }, view, [WIDTH, HEIGHT]);
-    formats::write_image(path, &image, &WriteOptions { view, ..WriteOptions::default() })?;
+    let image = shrink(&Image { size: large, pixels }, &Display::default(), [WIDTH, HEIGHT]);
+    formats::write_image(path, &image, &WriteOptions::default())?;
     Ok(())
 }
 

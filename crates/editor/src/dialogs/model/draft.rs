@@ -299,7 +299,7 @@ impl ModelDraft {
         replace(&mut shown.objects, floor, None);
         let eye = Vec3::new(0.55, 0.45, 1.0).normalize() * radius * 2.9;
         shown.camera =
-            Camera { position: eye, look_at: Some(Vec3::ZERO), view_angle_deg: 42.0, turn_deg: None };
+            Camera { position: eye, look_at: Some(Vec3::ZERO), view_angle_deg: 42.0, ..Camera::default() };
         let lamp = lights::Disc { position: Vec3::new(1.0, 2.2, 1.6) * radius * 1.6, radius: radius * 0.4 };
         let air = Light {
             name: "air".into(),

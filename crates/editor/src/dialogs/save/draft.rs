@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 use std::time::Duration;
-use vitrine::WriteOptions;
 use vitrine::formats::BitDepth;
 use vitrine::scene::{Renderer, Settings};
+use vitrine::{WriteOptions, display_of};
 
 /// The kind of file that a picture is saved as.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -83,7 +83,7 @@ impl SavePictureRequest {
     #[must_use]
     pub fn write_options(&self, metadata: Vec<(String, String)>) -> WriteOptions {
         let bits = if self.format == PictureFormat::Png16 { BitDepth::Sixteen } else { BitDepth::Eight };
-        WriteOptions { bits, metadata, ..WriteOptions::default() }
+        WriteOptions { bits, metadata, display: display_of(&self.settings), ..WriteOptions::default() }
     }
 }
 
@@ -236,9 +236,10 @@ impl SaveDraft {
 }
 
 /// The renderers to choose from, with the keys of their texts.
-pub const RENDERERS: [(Renderer, &str); 2] = [
+pub const RENDERERS: [(Renderer, &str); 3] = [
     (Renderer::Classic, "dialog-settings-renderer-classic"),
     (Renderer::Cast, "dialog-settings-renderer-cast"),
+    (Renderer::Photoreal, "dialog-settings-renderer-photoreal"),
 ];
 
 fn pixels(v: f64) -> u32 {

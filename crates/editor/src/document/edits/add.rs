@@ -70,7 +70,9 @@ impl Draft<'_> {
         let materials: Vec<_> = materials
             .into_iter()
             .map(|mut material| {
-                follow(&mut material.texture, &new_textures);
+                for texture in material.textures_mut() {
+                    follow(texture, &new_textures);
+                }
                 material
             })
             .collect();

@@ -1,6 +1,6 @@
 //! Who refers to whom by name.
 
-use vitrine::scene::{ListName, Scene};
+use vitrine::scene::{ListName, Material, Scene};
 
 /// Every place of the scene that names something of that list.
 pub(super) fn references(
@@ -9,7 +9,7 @@ pub(super) fn references(
 ) -> Box<dyn Iterator<Item = &mut Option<String>> + '_> {
     match list {
         ListName::Material => Box::new(scene.objects.iter_mut().map(|o| &mut o.material)),
-        ListName::Texture => Box::new(scene.materials.iter_mut().map(|m| &mut m.texture)),
+        ListName::Texture => Box::new(scene.materials.iter_mut().flat_map(Material::textures_mut)),
         ListName::Group => {
             let objects = scene.objects.iter_mut().map(|o| &mut o.group);
             Box::new(objects.chain(scene.groups.iter_mut().map(|g| &mut g.group)))
@@ -21,7 +21,7 @@ pub(super) fn references(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use vitrine::scene::{Group, Item, KindSpec, Light, Material, Object, ParamKind, ParamSpec, Texture};
+    use vitrine::scene::{Group, Item, KindSpec, Light, Object, ParamKind, ParamSpec, Texture};
 
     /// How many parameters of an entry refer to each list.
     fn count<T: Item>() -> Vec<(ListName, ListName)> {

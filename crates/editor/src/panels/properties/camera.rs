@@ -6,10 +6,15 @@ use crate::action::Action;
 use crate::document::{CameraMove, EditCommand, Thing};
 use crate::text::{kind_name, tr};
 use crate::theme::{self, icons};
-use crate::widgets::{Field, Number, Shown, choice_field, describe, number_field, section, text_button};
+use crate::widgets::{
+    Field, Number, Shown, choice_field, describe, number_field, section, text_button, toggle,
+};
 use eframe::egui::{Align, Button, Layout, RichText, Ui, vec2};
 use vitrine::math::{Axis, Vec3};
 use vitrine::scene::{Camera, Range, Scene, Value};
+
+/// An aperture that blurs what is out of focus so that one sees it.
+const USUAL_APERTURE: f32 = 2.8;
 
 /// Ways of aiming.
 #[derive(Clone, Copy, PartialEq)]
@@ -27,8 +32,27 @@ pub(super) fn camera_ui(ui: &mut Ui, ask: &mut Ask<'_>, state: &mut PropertiesSt
         aim_ui(ui, ask);
         ask.param_ui(ui, &things, "view_angle_deg");
     });
+    section(ui, &tr!("properties-lens"), false, |ui| lens_ui(ui, ask));
     section(ui, &tr!("properties-turn-by"), true, |ui| turn_ui(ui, ask, state));
     section(ui, &tr!("properties-look"), true, |ui| look_ui(ui, ask));
+}
+
+/// Whether what is out of focus is blurred, and how.
+fn lens_ui(ui: &mut Ui, ask: &mut Ask<'_>) {
+    let things = [Thing::Camera];
+    let camera = &ask.scene.camera;
+    let (is_blurred, focus) = (camera.f_stop.is_some(), camera.focus());
+    let mut now = is_blurred;
+    toggle(ui, &mut now, &tr!("properties-blur"), &tr!("properties-blur.tooltip"));
+    if now != is_blurred {
+        let value = if now { Value::Number(USUAL_APERTURE) } else { Value::Nothing };
+        ask.edit(EditCommand::Set { things: things.to_vec(), key: "f_stop".into(), value });
+    }
+    if is_blurred {
+        ask.param_ui(ui, &things, "f_stop");
+        ask.derived_ui(ui, &things, "focus_distance", Some(&Value::Number(focus)));
+        ask.param_ui(ui, &things, "blades");
+    }
 }
 
 /// Either a point to look at or a turn.

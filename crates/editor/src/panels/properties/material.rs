@@ -17,6 +17,37 @@ use vitrine::scene::{ClassicMaterial, ListName, Material, ParamValue as _, Textu
 const FIRST: [&str; 7] =
     ["color", "diffuse", "specular", "shininess", "reflectivity", "transparency", "refraction"];
 
+/// What stands in parts of their own under "More": the key of each part's title, and its parameters.
+const PARTS: [(&str, &[&str]); 5] = [
+    (
+        "properties-inside",
+        &[
+            "transmission_scatter",
+            "transmission_scatter_anisotropy",
+            "transmission_dispersion_scale",
+            "transmission_dispersion_abbe_number",
+        ],
+    ),
+    ("properties-coat", &["coat_weight", "coat_color", "coat_roughness", "coat_ior"]),
+    ("properties-film", &["thin_film_weight", "thin_film_thickness", "thin_film_ior"]),
+    ("properties-glow", &["emission_luminance", "emission_color"]),
+    (
+        "properties-patterns",
+        &[
+            "base_weight_texture",
+            "roughness_texture",
+            "metalness_texture",
+            "specular_texture",
+            "transmission_texture",
+            "coat_texture",
+            "emission_texture",
+            "normal_map",
+            "bump_map",
+            "bump_height",
+        ],
+    ),
+];
+
 /// A choice of the chooser of materials.
 #[derive(Clone, PartialEq)]
 enum Choice {
@@ -94,11 +125,20 @@ pub(super) fn parameters_ui(ui: &mut Ui, ask: &mut Ask<'_>, name: &str) {
         ask.derived_ui(ui, &things, color, derived(material, color).as_ref());
         surface_ui(ui, ask, &thing, material);
         rest.into_iter().for_each(|key| ask.derived_ui(ui, &things, key, derived(material, key).as_ref()));
-        let is_first = |key: &str| key == "texture" || FIRST.contains(&key);
+        let is_elsewhere = |key: &str| {
+            key == "texture" || FIRST.contains(&key) || PARTS.iter().any(|(_, keys)| keys.contains(&key))
+        };
         subsection(ui, &tr!("properties-more"), false, |ui| {
             remark_ui(ui, &tr!("properties-more-remark"));
-            for spec in Material::SPECS.iter().filter(|s| !is_first(s.name)) {
+            for spec in Material::SPECS.iter().filter(|s| !is_elsewhere(s.name)) {
                 ask.derived_ui(ui, &things, spec.name, derived(material, spec.name).as_ref());
+            }
+            for (title, keys) in PARTS {
+                subsection(ui, &tr!(title), false, |ui| {
+                    for key in keys {
+                        ask.derived_ui(ui, &things, key, derived(material, key).as_ref());
+                    }
+                });
             }
         });
     });
@@ -125,6 +165,22 @@ fn derived(material: &Material, key: &str) -> Option<Value> {
         "transmission_weight" => physical.transmission_weight.to_value(),
         "transmission_color" => physical.transmission_color.to_value(),
         "transmission_depth" => physical.transmission_depth.to_value(),
+        "base_diffuse_roughness" => physical.base_diffuse_roughness.to_value(),
+        "specular_color" => physical.specular_color.to_value(),
+        "transmission_scatter" => physical.transmission_scatter.to_value(),
+        "transmission_scatter_anisotropy" => physical.transmission_scatter_anisotropy.to_value(),
+        "transmission_dispersion_scale" => physical.transmission_dispersion_scale.to_value(),
+        "transmission_dispersion_abbe_number" => physical.transmission_dispersion_abbe_number.to_value(),
+        "coat_weight" => physical.coat_weight.to_value(),
+        "coat_color" => physical.coat_color.to_value(),
+        "coat_roughness" => physical.coat_roughness.to_value(),
+        "coat_ior" => physical.coat_ior.to_value(),
+        "thin_film_weight" => physical.thin_film_weight.to_value(),
+        "thin_film_thickness" => physical.thin_film_thickness.to_value(),
+        "thin_film_ior" => physical.thin_film_ior.to_value(),
+        "emission_luminance" => physical.emission_luminance.to_value(),
+        "emission_color" => physical.emission_color.to_value(),
+        "bump_height" => physical.bump_height.to_value(),
         "geometry_thin_walled" => physical.geometry_thin_walled.unwrap_or(false).to_value(),
         _ => return None,
     })
@@ -173,11 +229,20 @@ pub(super) fn texture_ui(ui: &mut Ui, ask: &mut Ask<'_>, name: &str) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use vitrine::scene::ParamKind;
 
     #[test]
-    fn every_parameter_of_a_material_but_its_texture_has_a_value_that_follows() {
+    fn every_part_has_parameters_that_there_are() {
+        for key in PARTS.iter().flat_map(|(_, keys)| *keys) {
+            assert!(Material::SPECS.iter().any(|s| s.name == *key), "{key}");
+        }
+    }
+
+    #[test]
+    fn every_parameter_of_a_material_but_textures_and_metals_has_a_value_that_follows() {
         let material = Material::default();
-        for spec in Material::SPECS.iter().filter(|s| s.name != "texture") {
+        let is_named = |kind| matches!(kind, ParamKind::Reference(_) | ParamKind::Choice(_));
+        for spec in Material::SPECS.iter().filter(|s| !is_named(s.kind)) {
             let value = derived(&material, spec.name);
             assert!(value.is_some_and(|v| spec.check(&v).is_ok()), "{}", spec.name);
         }

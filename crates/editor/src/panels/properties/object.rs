@@ -8,12 +8,15 @@ use crate::text::{kind_name_in, param_label, param_tooltip, tr};
 use crate::theme::{self, icons};
 use crate::widgets::{
     Field, FileAnswer, Number, ParamEdit, Shown, choice_field, file_field, icon_toggle, section, subsection,
-    text_button, vector_field,
+    text_button, toggle, vector_field,
 };
 use eframe::egui::{Align, Layout, Rect, Ui, UiBuilder, pos2, vec2};
 use std::slice::from_ref;
 use vitrine::math::Vec3;
 use vitrine::scene::{KindSpec, LightSource, ListName, Object, ParamKind, Shape, Value};
+
+/// The temperature of light that is about white, kelvin.
+const DAYLIGHT: f32 = 6500.0;
 
 /// An object: shape, place, material.
 pub(super) fn object_ui(ui: &mut Ui, ask: &mut Ask<'_>, name: &str, state: &mut PropertiesState) {
@@ -40,7 +43,29 @@ pub(super) fn light_ui(ui: &mut Ui, ask: &mut Ask<'_>, name: &str) {
         ask.param_ui(ui, from_ref(&thing), "intensity");
         ask.param_ui(ui, from_ref(&thing), "color");
         kind_ui(ui, ask, &thing, LightSource::KINDS);
+        subsection(ui, &tr!("properties-more"), false, |ui| {
+            ask.derived_ui(ui, from_ref(&thing), "temperature", Some(&Value::Number(DAYLIGHT)));
+            full_at_ui(ui, ask, &thing);
+        });
     });
+}
+
+/// From where a lamp is as bright as the classic renderer shows it: by itself, or as far as is stated.
+fn full_at_ui(ui: &mut Ui, ask: &mut Ask<'_>, thing: &Thing) {
+    // Only what has a place grows dimmer with the distance.
+    let Some(Value::Vector(position)) = ask.value(thing, "position") else { return };
+    let is_stated = ask.value(thing, "full_at").is_some_and(|v| v != Value::Nothing);
+    let mut now = is_stated;
+    toggle(ui, &mut now, &tr!("properties-full-at"), &tr!("properties-full-at.tooltip"));
+    if now != is_stated {
+        // Where it shines on the scene's middle, to begin with.
+        let distance = (position.length() * 10.0).round().max(1.0) / 10.0;
+        let value = if now { Value::Number(distance) } else { Value::Nothing };
+        ask.edit(EditCommand::Set { things: vec![thing.clone()], key: "full_at".into(), value });
+    }
+    if is_stated {
+        ask.param_ui(ui, from_ref(thing), "full_at");
+    }
 }
 
 /// A group: place.
@@ -81,7 +106,7 @@ pub(super) fn kind_ui(ui: &mut Ui, ask: &mut Ask<'_>, thing: &Thing, kinds: &'st
 
 fn file_ui(ui: &mut Ui, ask: &mut Ask<'_>, thing: &Thing, key: &str) {
     let (Some(spec), Some(Value::Text(path))) = (ask.spec(thing, key), ask.value(thing, key)) else { return };
-    let word = thing.list().map_or("object", ListName::key);
+    let word = thing.owner(ask.scene).map_or("object", |owner| kind_word(ask.scene, owner));
     let (label, tooltip) = (param_label(word, spec), param_tooltip(word, spec));
     let field = Field { label: &label, tooltip: &tooltip, shown: Shown::Stated };
     match file_field(ui, &field, &path) {

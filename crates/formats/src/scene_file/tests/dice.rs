@@ -256,8 +256,11 @@ fn rename(scene: &mut Scene, list: ListName, at: usize, name: String) {
     in_list!(scene, list, items => items[at].rename(name));
 }
 
-/// Takes back what no file may say: two aims of the camera, groups in a ring, references to what is gone.
+/// Takes back what no file may say: two aims of the camera, an aperture of two blades, groups in a ring, references to what is gone.
 fn mend(mut scene: Scene) -> Scene {
+    if matches!(scene.camera.blades, 1 | 2) {
+        scene.camera.blades = 0;
+    }
     if scene.camera.turn_deg.is_some() || scene.camera.fault().is_some() {
         scene.camera.look_at = None;
     }

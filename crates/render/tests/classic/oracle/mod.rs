@@ -35,7 +35,7 @@ impl Oracle {
         let mut ambient = D3::default();
         for light in scene.lights.iter().filter(|l| l.visible) {
             let radiance = D3::of_color(light.color) * f64::from(light.intensity);
-            match light.source.as_kind().emission() {
+            match light.source.as_kind().emission(assets).expect("no panorama is missing") {
                 Emission::Everywhere => ambient = ambient + radiance,
                 emission => lamps.push((emission, radiance)),
             }

@@ -1,19 +1,25 @@
 //! `vitrine render`: a scene file to a picture.
 
+mod done;
+
 use crate::events::Events;
 use crate::failure::{Exit, Failure};
 use crate::flags::{PictureFlags, SettingFlags, ThreadFlag};
-use crate::picture::{self, Made};
+use crate::keep::KeepFlags;
+use crate::picture;
 use crate::progress::Bar;
 use crate::report::Report;
-use crate::stopwatch::Elapsed;
-use crate::{console, interrupt, output, report, stopwatch, values};
+use crate::stopwatch::Stopwatch;
+use crate::{console, interrupt, output, report, values};
 use clap::Args;
+use done::Done;
 use serde_json::json;
 use std::path::{Path, PathBuf};
-use vitrine::film::Film;
 use vitrine::render::accel::simd::Instructions;
-use vitrine::{Project, Region, RenderOptions, Rendered, WriteOptions, formats};
+use vitrine::render::{CompiledScene, Glance};
+use vitrine::{
+    Error, Project, Region, RenderJob, RenderOptions, Rendered, WriteOptions, display_of, formats, layers_of,
+};
 
 /// Make the picture of a scene
 ///
@@ -25,6 +31,9 @@ use vitrine::{Project, Region, RenderOptions, Rendered, WriteOptions, formats};
     vitrine render ball.vitrine.toml -o ball.jpg --size 1920x1080 --samples 16\n  \
     vitrine render ball.vitrine.toml --set object.ball.material.transparency=0.4\n  \
     vitrine render ball.vitrine.toml -o part.png --region 100,50,400,300 --threads 1\n  \
+    vitrine render ball.vitrine.toml --renderer photoreal --samples 4096 --noise 0.02 --time 600\n  \
+    vitrine render ball.vitrine.toml --resume\n  \
+    vitrine render ball.vitrine.toml -o ball.exr --layers\n  \
     vitrine render ball.vitrine.toml --json | tail -1")]
 pub struct Render {
     /// The scene file, NAME.vitrine.toml
@@ -51,10 +60,18 @@ pub struct Render {
     #[command(flatten)]
     picture: PictureFlags,
 
+    /// Write layers beside the light, for compositing: albedo, normal, depth, object and number of samples (.exr only)
+    #[arg(long)]
+    layers: bool,
+
+    #[command(flatten)]
+    keep: KeepFlags,
+
     /// Report to programs: lines of JSON on stdout
     ///
     /// Each line has an "event": start, warning, progress, and last done or error. The line of done has output, complete,
-    /// width, height, threads, samples, rays, render_seconds and cpu_seconds; the times are those of rendering alone.
+    /// ended (samples, noise, time or interrupted), width, height, threads, samples, resumed_samples, bad_samples, noise, rays,
+    /// render_seconds and cpu_seconds; the times are those of rendering alone.
     #[arg(long)]
     pub json: bool,
 
@@ -81,46 +98,90 @@ impl Render {
             None => output::beside(&project, ".png"),
         };
         output::check_picture(&path)?;
-        let settings = project.scene.settings.clone();
-        let write_options =
-            WriteOptions { metadata: project.metadata(&settings), ..self.picture.options(&path)? };
+        let write_options = self.write_options(&project, &path)?;
 
         let mut events = Events::new(self.json);
+        let mut kept = self.keep.of(&path, &project, self.region);
         self.send_start(&events, &project, &path);
-        self.show_warnings(&events, &project);
+        self.show_warnings(&events, &Report::warnings_of(&project));
 
         let bar = Bar::new(self.quiet || self.json);
         let mut compiled = picture::compile(&project)?;
         if self.portable {
             compiled = compiled.with_instructions(Instructions::Portable);
         }
-        let options = RenderOptions { settings, region: self.region };
+        let options = RenderOptions { region: self.region, ..project.options() };
+        let job = RenderJob::new(&compiled, options).map_err(Error::from)?;
+        let begun = kept.begin(&job, self.quiet || self.json)?;
+        let before = begun.film.samples();
         bar.begin("Rendering");
-        let made = picture::make(&compiled, options, self.threads.count(), &cancel, &mut |progress| {
+        let watch = Stopwatch::start();
+        let samples = project.scene.settings.samples;
+        let look = &mut |glance: &Glance| {
+            let progress = glance.progress();
             bar.show(progress);
+            bar.note(progress, samples);
             events.progress(progress);
-        })?;
+            kept.look(glance);
+        };
+        let rendered = job.resume(begun, self.threads.count(), &cancel, look).map_err(Error::from)?;
+        let elapsed = watch.elapsed();
         drop(bar);
 
-        let (done, film) = Done::of(made);
-        let is_saved = done.samples > 0;
-        if is_saved {
-            save(&path, film, &done, write_options)?;
+        let done = Done::new(&rendered, before, elapsed);
+        if done.samples > 0 {
+            self.save(&path, (&project, &compiled), &rendered, &done.mark(write_options))?;
         }
-        self.send_done(&events, &project, is_saved.then_some(&path), &done);
-        self.say_done(is_saved.then_some(&path), &done)?;
-        Ok(if done.is_complete { Exit::Done } else { Exit::Interrupted })
+        let can_go_on = kept.end(rendered);
+        self.show_warnings(&events, &done.warnings());
+        let path = (done.samples > 0).then_some(&*path);
+        if events.is_on() {
+            events.send(&done.event(path, &project, self.threads.count()));
+        }
+        self.say_done(path, &done, can_go_on)?;
+        Ok(if done.is_complete() { Exit::Done } else { Exit::Interrupted })
     }
 
-    fn show_warnings(&self, events: &Events, project: &Project) {
-        let warnings = Report::warnings_of(project);
-        for warning in &warnings {
+    /// How the picture is written.
+    fn write_options(&self, project: &Project, path: &Path) -> Result<WriteOptions, Failure> {
+        let settings = &project.scene.settings;
+        let format = formats::image_format(path)?.name;
+        if self.layers && format != "OpenEXR" {
+            return Err(Failure::usage(
+                format!("--layers is for OpenEXR, and this is {format}: {}", path.display()),
+                "leave --layers out, or give the output the extension .exr",
+            ));
+        }
+        let (metadata, display) = (project.metadata(settings), display_of(settings));
+        Ok(WriteOptions { metadata, display, ..self.picture.options(path)? })
+    }
+
+    /// Writes the picture.
+    fn save(
+        &self,
+        path: &Path,
+        (project, compiled): (&Project, &CompiledScene),
+        rendered: &Rendered,
+        options: &WriteOptions,
+    ) -> Result<(), Failure> {
+        let image = rendered.film.image();
+        if self.layers {
+            let layers = layers_of(&project.scene, compiled, &rendered.film, self.threads.count());
+            formats::write_layers(path, &image, &layers, options)?;
+        } else {
+            formats::write_image(path, &image, options)?;
+        }
+        Ok(())
+    }
+
+    fn show_warnings(&self, events: &Events, warnings: &[Report]) {
+        for warning in warnings {
             let mut event = warning.to_json();
             event["event"] = "warning".into();
             events.send(&event);
         }
         if !self.quiet {
-            report::show(&warnings);
+            report::show(warnings);
         }
     }
 
@@ -148,70 +209,19 @@ impl Render {
         }));
     }
 
-    fn send_done(&self, events: &Events, project: &Project, path: Option<&PathBuf>, done: &Done) {
-        if !events.is_on() {
-            return;
-        }
-        events.send(&json!({
-            "event": "done",
-            "output": path,
-            "complete": done.is_complete,
-            "width": done.region.width,
-            "height": done.region.height,
-            "threads": self.threads.count(),
-            "samples_per_pixel": project.scene.settings.samples,
-            "samples": done.samples,
-            "rays": done.rays,
-            "render_seconds": done.elapsed.wall.as_secs_f64(),
-            "cpu_seconds": done.elapsed.cpu.as_secs_f64(),
-            "scene_hash": project.hash().to_string(),
-        }));
-    }
-
-    fn say_done(&self, path: Option<&PathBuf>, done: &Done) -> Result<(), Failure> {
+    fn say_done(&self, path: Option<&Path>, done: &Done, can_go_on: bool) -> Result<(), Failure> {
         let Some(path) = path else {
             console::tell(picture::NOTHING_YET);
             return Ok(());
         };
-        if !done.is_complete {
-            console::tell(&format!("Interrupted: the picture so far is in {}", path.display()));
+        if !done.is_complete() {
+            let advice = if can_go_on { "; --resume goes on with it" } else { "" };
+            console::tell(&format!("Interrupted: the picture so far is in {}{advice}", path.display()));
             return Ok(());
         }
         if self.quiet || self.json {
             return Ok(());
         }
-        console::print(format!(
-            "{}: {} × {} pixels in {} ({} rays)\n",
-            path.display(),
-            done.region.width,
-            done.region.height,
-            stopwatch::words(done.elapsed.wall),
-            console::thousands(done.rays),
-        ))
+        console::print(format!("{}: {}\n", path.display(), done.words()))
     }
-}
-
-/// What there is to say of a picture beside the picture.
-struct Done {
-    region: Region,
-    samples: u64,
-    rays: u64,
-    is_complete: bool,
-    elapsed: Elapsed,
-}
-
-impl Done {
-    /// Takes the film out of what was made.
-    fn of(made: Made) -> (Self, Film) {
-        let Made { rendered: Rendered { film, is_complete, rays }, elapsed } = made;
-        (Self { region: film.region(), samples: film.samples(), rays, is_complete, elapsed }, film)
-    }
-}
-
-fn save(path: &Path, film: Film, done: &Done, mut options: WriteOptions) -> Result<(), Failure> {
-    if !done.is_complete {
-        options.metadata.push(("vitrine:complete".into(), "false".into()));
-    }
-    formats::write_image(path, &film.into_image(), &options)?;
-    Ok(())
 }

@@ -1,0 +1,136 @@
+//! What the photoreal renderer needs beside what all renderers do: lights as they are, solids, what the camera is inside of.
+
+use super::geometry::{Form, Primitive};
+use super::physical::{CompiledPhysical, is_thin};
+use super::solids::{Candidate, Solids};
+use crate::integrators::CompiledMedia;
+use crate::lights::{Emitter, EmitterForm, LampSpec, Lights};
+use vitrine_math::{Bounds3, Rgb, Vec3};
+use vitrine_scene::Light;
+use vitrine_scene::lights::Emission;
+
+/// So many times the scene's size away stands what is infinitely far.
+const FAR: f64 = 1e5;
+
+/// Lights, solids and what follows from them.
+#[derive(Debug, Default)]
+pub struct Photoreal {
+    /// What shines.
+    pub lights: Lights,
+    /// What light passes through.
+    pub solids: Solids,
+    /// Whether there are thin sheets, or surfaces inside other solids, that light goes straight on through.
+    pub passes_sheets: bool,
+    /// Whether an index depends on the wavelength.
+    pub has_dispersion: bool,
+    /// Whether the camera sees a panorama or a sky where there is nothing.
+    pub has_panorama: bool,
+    /// Where what is infinitely far is taken to be, metres.
+    pub far: f64,
+    /// What the camera is inside of.
+    pub camera_media: CompiledMedia,
+}
+
+/// What it is made from.
+pub struct Parts<'a> {
+    pub primitives: &'a [Primitive],
+    pub physical: &'a [CompiledPhysical],
+    pub emissions: &'a [(Emission, Rgb, usize)],
+    pub lights: &'a [Light],
+    pub bounds: Bounds3,
+    pub camera: Vec3,
+}
+
+impl Photoreal {
+    /// All but what the camera is inside of, for which rays are needed.
+    pub fn new(parts: &Parts) -> Self {
+        let solids = Solids::new(solids(parts), parts.primitives.len());
+        let is_sheet = |p: &Primitive| {
+            let materials = &parts.physical[p.material as usize..][..p.slots()];
+            materials.iter().any(|m| m.is_transmissive()) && is_thin(&materials[0].numbers, p)
+        };
+        let sees_far = |e: &Emission| matches!(e, Emission::Environment { .. } | Emission::Sky { .. });
+        let middle = if parts.bounds.is_empty() { Vec3::ZERO } else { parts.bounds.center() };
+        let size = if parts.bounds.is_empty() { 1.0 } else { parts.bounds.size().length() };
+        let reach = size + (parts.camera - middle).length();
+        let has_dispersion = solids.iter().any(|(_, s)| s.substance.is_dispersive);
+        Self {
+            lights: Lights::new(&lamps(parts, middle), &emitters(parts)),
+            passes_sheets: parts.primitives.iter().any(is_sheet) || solids.iter().count() > 1,
+            has_dispersion,
+            solids,
+            has_panorama: parts.emissions.iter().any(|(e, ..)| sees_far(e)),
+            far: f64::from(reach).max(1e-6) * FAR,
+            camera_media: CompiledMedia::default(),
+        }
+    }
+}
+
+/// The things with an inside that light passes.
+fn solids<'a>(parts: &'a Parts) -> impl Iterator<Item = Candidate<'a>> {
+    (0..).zip(parts.primitives).filter_map(|(id, primitive)| {
+        let materials = &parts.physical[primitive.material as usize..][..primitive.slots()];
+        let glass = materials.iter().find(|m| m.is_transmissive())?;
+        let is_solid = !is_thin(&glass.numbers, primitive);
+        is_solid.then(|| Candidate {
+            primitive,
+            id,
+            substance: glass.substance,
+            is_clear: materials.iter().all(|m| m.is_clear),
+        })
+    })
+}
+
+/// The scene's lights.
+fn lamps(parts: &Parts, middle: Vec3) -> Vec<LampSpec> {
+    let lamp = |(emission, radiance, index): &(Emission, Rgb, usize)| {
+        let full_at = parts.lights[*index].full_at;
+        let position = match emission {
+            Emission::Point { position }
+            | Emission::Disc { position, .. }
+            | Emission::Sphere { position, .. } => Some(*position),
+            _ => None,
+        };
+        // A lamp in the very middle of things shines on what is a metre away.
+        let away = position.map(|p| (p - middle).length()).filter(|d| *d > 1e-3).unwrap_or(1.0);
+        LampSpec { emission: emission.clone(), radiance: *radiance, full_at: full_at.unwrap_or(away) }
+    };
+    parts.emissions.iter().map(lamp).collect()
+}
+
+/// The surfaces that shine.
+fn emitters(parts: &Parts) -> Vec<Emitter> {
+    let mut emitters = Vec::new();
+    for (id, primitive) in (0..).zip(parts.primitives) {
+        let materials = &parts.physical[primitive.material as usize..][..primitive.slots()];
+        if materials.iter().all(|m| m.emission == Rgb::BLACK) {
+            continue;
+        }
+        let mut add = |form: EmitterForm, triangle: u32| {
+            let material = &parts.physical[primitive.material_of(triangle) as usize];
+            // A texture makes some of it brighter; how bright on average is not worth finding out.
+            if material.emission != Rgb::BLACK {
+                let (radiance, primitive) = (material.emission, id);
+                emitters.push(Emitter { form, radiance, is_two_sided: false, primitive, triangle });
+            }
+        };
+        match &primitive.form {
+            Form::Sphere { center, radius } => {
+                add(EmitterForm::Sphere { center: *center, radius: *radius }, 0);
+            }
+            Form::Ellipsoid { unit } => add(EmitterForm::Ellipsoid { unit: *unit }, 0),
+            Form::Box { unit } => add(EmitterForm::Box { unit: *unit }, 0),
+            Form::Disc { unit, n } => add(EmitterForm::Disc { unit: *unit, n: *n }, 0),
+            Form::Triangle { points, .. } => add(EmitterForm::Triangle { points: *points }, 0),
+            Form::Mesh { mesh, .. } => {
+                for (triangle, corners) in (0..).zip(&mesh.triangles) {
+                    let points = corners.map(|c| primitive.transform.point(mesh.positions[c as usize]));
+                    add(EmitterForm::Triangle { points }, triangle);
+                }
+            }
+            // It shines, and is found by chance alone: no point of a plane without end can be chosen.
+            Form::Plane { .. } => {}
+        }
+    }
+    emitters
+}

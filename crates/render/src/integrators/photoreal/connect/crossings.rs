@@ -1,0 +1,153 @@
+//! The faces of clear solids that the straight line from x to y crosses: they say through which a connection is looked for.
+
+use super::super::chain::Face;
+use super::super::media::Media;
+use super::{Ends, Step, Steps};
+use crate::compile::{AIR, Piece, Solids};
+use vitrine_math::{DVec3, Vec3};
+
+/// Crossings nearer to an end than this share of the coordinates are the end's own surface.
+const OWN: f64 = 4e-6;
+
+/// Where the line crosses a solid's surface.
+#[derive(Clone, Copy, Debug)]
+struct Crossing {
+    /// From 0 at x to 1 at y.
+    t: f64,
+    solid: u16,
+    face: Face,
+    enters: bool,
+    /// The outward unit normal of a flat face; zero on a ball.
+    n: DVec3,
+    offset: f64,
+}
+
+/// The crossings of one line.
+#[derive(Debug, Default)]
+pub struct Crossings {
+    all: Vec<Crossing>,
+    steps: Option<Steps>,
+    media_y: Media,
+    top_y: u16,
+}
+
+impl Crossings {
+    /// Finds them.
+    pub fn find(&mut self, solids: &Solids, ends: &Ends) {
+        self.all.clear();
+        for &solid in solids.clear() {
+            if let Some(piece) = &solids.get(solid).piece {
+                self.cross(solid, piece, ends);
+            }
+        }
+        self.all.sort_by(|a, b| a.t.total_cmp(&b.t).then(a.solid.cmp(&b.solid)));
+        self.walk(solids, ends);
+    }
+
+    /// The surfaces, one behind the other, at which light is bent; None when one of them is round or there are too many.
+    pub const fn steps(&self) -> Option<&Steps> {
+        self.steps.as_ref()
+    }
+
+    /// What is at y.
+    pub const fn medium_y(&self) -> u16 {
+        self.top_y
+    }
+
+    fn walk(&mut self, solids: &Solids, ends: &Ends) {
+        let mut media = ends.media;
+        let mut steps = Some(Steps::default());
+        for crossing in &self.all {
+            let sides = media.across(solids, crossing.solid, crossing.enters);
+            media = sides.media;
+            if sides.before == sides.beyond {
+                continue;
+            }
+            let step = Step {
+                solid: crossing.solid,
+                face: crossing.face,
+                reflects: false,
+                n: crossing.n,
+                before: sides.before,
+                beyond: sides.beyond,
+                offset: crossing.offset,
+            };
+            let is_flat = crossing.n != DVec3::ZERO;
+            if !steps.as_mut().is_some_and(|steps| is_flat && steps.push(step)) {
+                steps = None;
+            }
+        }
+        self.steps = steps;
+        self.media_y = media;
+        self.top_y = if solids.is_empty() { AIR } else { media.top(solids) };
+    }
+
+    fn cross(&mut self, solid: u16, piece: &Piece, ends: &Ends) {
+        let (x, way) = (ends.x, ends.y - ends.x);
+        let largest = ends.x.abs().max_element().max(ends.y.abs().max_element());
+        let margin = OWN * largest / way.length();
+        let mut add = |t: f64, enters: bool, face: Face, n: DVec3, offset: f64| {
+            if t > margin && t < 1.0 - margin {
+                self.all.push(Crossing { t, solid, face, enters, n, offset });
+            }
+        };
+        match piece {
+            Piece::Below { n, offset } => {
+                let (n, offset) = (n.as_dvec3(), f64::from(*offset));
+                let slope = n.dot(way);
+                if slope != 0.0 {
+                    add((offset - n.dot(x)) / slope, slope < 0.0, 0, n, offset);
+                }
+            }
+            Piece::Ball { center, radius } => {
+                let from = x - center.as_dvec3();
+                let (a, b) = (way.length_squared(), from.dot(way));
+                let off = from - way * (b / a);
+                let discriminant = f64::from(*radius) * f64::from(*radius) - off.length_squared();
+                if discriminant > 0.0 {
+                    let half = (discriminant / a).sqrt();
+                    add(-b / a - half, true, 0, DVec3::ZERO, 0.0);
+                    add(-b / a + half, false, 0, DVec3::ZERO, 0.0);
+                }
+            }
+            Piece::Block { center, axes, half } => {
+                let center = center.as_dvec3();
+                let (mut near, mut far) = ((f64::NEG_INFINITY, 0_usize, 0.0), (f64::INFINITY, 0_usize, 0.0));
+                for (k, (axis, half)) in axes.iter().zip(half).enumerate() {
+                    let axis = axis.as_dvec3();
+                    let (at, slope, half) = (axis.dot(x - center), axis.dot(way), f64::from(*half));
+                    if slope == 0.0 {
+                        if at.abs() > half {
+                            return;
+                        }
+                        continue;
+                    }
+                    let sign = if slope > 0.0 { 1.0 } else { -1.0 };
+                    let (enter, leave) = ((-half * sign - at) / slope, (half * sign - at) / slope);
+                    if enter > near.0 {
+                        near = (enter, k, -sign);
+                    }
+                    if leave < far.0 {
+                        far = (leave, k, sign);
+                    }
+                }
+                if near.0 < far.0 {
+                    for ((t, k, sign), enters) in [(near, true), (far, false)] {
+                        let n = axes[k].as_dvec3() * sign;
+                        let face = 2 * k as Face + Face::from(sign > 0.0);
+                        add(t, enters, face, n, n.dot(center) + f64::from(half[k]));
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The face of a piece with that outward normal.
+#[inline]
+pub fn face_of(piece: &Piece, outward: Vec3) -> Face {
+    let Piece::Block { axes, .. } = piece else { return 0 };
+    let along = axes.map(|axis| axis.dot(outward));
+    let k = (0..3).max_by(|&a: &usize, &b| along[a].abs().total_cmp(&along[b].abs())).unwrap_or(0);
+    2 * k as Face + Face::from(along[k] > 0.0)
+}

@@ -1,0 +1,147 @@
+//! The photoreal renderer: path tracing (Kajiya, "The Rendering Equation", 1986) with light found both by chance and on purpose (multiple
+//! importance sampling: Veach and Guibas 1995), and with light that comes through glass found exactly ([`connect`]).
+//!
+//! All paths of a tile take a step together: their rays are traced, what they meet is worked out one by one, and the light that
+//! each looks for is traced together again ([`shadow`]).
+
+mod chain;
+mod connect;
+mod light;
+mod media;
+mod path;
+mod polarisation;
+mod shadow;
+mod step;
+mod surface;
+
+use super::tile::TileOrder;
+use super::{Filled, TileTask};
+use crate::accel::{HitStream, RayStream};
+use crate::job::Cancel;
+use crate::samplers::{PathSampler, filter};
+use crate::surface::Spots;
+use connect::Connector;
+use path::Path;
+use shadow::Shadows;
+use vitrine_film::{Features, TileSums};
+use vitrine_math::Rgb;
+
+pub use media::Media as CompiledMedia;
+
+/// The tools of one thread.
+#[derive(Debug, Default)]
+pub struct Paths {
+    order: TileOrder,
+    now: Wave,
+    next: Wave,
+    hits: HitStream,
+    spots: Spots,
+    connector: Connector,
+    shadows: Shadows,
+    /// This sample's light, by the pixel's place in the tile's order.
+    light: Vec<Rgb>,
+    sums: Vec<Rgb>,
+    features: Vec<Features>,
+}
+
+/// Paths and their rays.
+#[derive(Debug, Default)]
+struct Wave {
+    paths: Vec<Path>,
+    rays: RayStream,
+}
+
+impl Wave {
+    fn clear(&mut self) {
+        self.paths.clear();
+        self.rays.clear();
+    }
+}
+
+impl Paths {
+    /// The sums of a tile's samples, row by row. None when it was cancelled between two samples.
+    pub fn fill(&mut self, task: &TileTask, cancel: &Cancel) -> Option<Filled<'_>> {
+        self.order.fit(&task.tile);
+        let pixels = task.tile.pixels();
+        self.sums.clear();
+        self.sums.resize(pixels, Rgb::BLACK);
+        self.features.clear();
+        self.features.resize(pixels, Features::default());
+        let (mut rays, mut bad) = (0, 0);
+        for sample in task.samples.clone() {
+            if cancel.is_cancelled() {
+                return None;
+            }
+            self.start(task, sample);
+            while !self.now.paths.is_empty() {
+                rays += self.step(task);
+            }
+            bad += self.take_sample();
+        }
+        Some(Filled { sums: TileSums { light: &self.sums, features: &self.features }, rays, bad })
+    }
+
+    /// Adds the sample's light to the sums. Gives the number of pixels whose light was no number: there it is left out.
+    fn take_sample(&mut self) -> u64 {
+        let mut bad = 0;
+        for (pixel, light) in self.light.iter().enumerate() {
+            if light.is_finite() {
+                self.sums[self.order.number(pixel)] += *light;
+            } else {
+                bad += 1;
+            }
+        }
+        bad
+    }
+
+    /// The camera's rays.
+    fn start(&mut self, task: &TileTask, sample: u32) {
+        let TileTask { scene, settings, tile, .. } = task;
+        let pixels = tile.pixels();
+        self.now.clear();
+        self.light.clear();
+        self.light.resize(pixels, Rgb::BLACK);
+        for pixel in 0..pixels {
+            let [x, y] = self.order.place(pixel);
+            let [x, y] = [tile.x + x, tile.y + y];
+            let sampler = PathSampler::new([x, y], sample, settings.seed);
+            let [dx, dy] = filter::offset(sampler.two(0));
+            let at = [x as f32 + 0.5 + dx, y as f32 + 0.5 + dy];
+            let ray = scene.camera.ray(at, settings.size, sampler.two(1));
+            self.now.rays.push(&ray);
+            self.now.paths.push(Path::new(pixel as u32, sampler, scene.photoreal.camera_media));
+        }
+    }
+
+    /// Takes all paths to their next vertices. Gives the number of rays.
+    fn step(&mut self, task: &TileTask) -> u64 {
+        let scene = task.scene;
+        self.next.clear();
+        scene.accel.closest(&self.now.rays, &mut self.hits);
+        self.spots.fill(scene, &self.now.rays, &self.hits);
+        let mut rays = self.now.paths.len() as u64;
+        let mut tools = step::Tools {
+            task,
+            connector: &mut self.connector,
+            shadows: &mut self.shadows,
+            next: &mut self.next,
+            light: &mut self.light,
+            order: &self.order,
+            features: &mut self.features,
+        };
+        for (i, path) in self.now.paths.iter().enumerate() {
+            let arrival = step::Arrival {
+                rays: &self.now.rays,
+                hits: &self.hits,
+                spots: &self.spots,
+                i,
+                ray: self.now.rays.get(i),
+                hit: self.hits.get(i),
+            };
+            tools.take(*path, &arrival);
+        }
+        rays += self.shadows.settle(scene, &mut self.light);
+        std::mem::swap(&mut self.now, &mut self.next);
+        rays
+    }
+}

@@ -1,0 +1,549 @@
+//! What happens to a path at its next vertex.
+
+use super::Wave;
+use super::chain::Chain;
+use super::connect::{Connection, Connector, Ends, double, face_of};
+use super::light::{Shining, chance_weight};
+use super::media::Sides;
+use super::path::{Draw, Origin, Path};
+use super::polarisation::Polarisation;
+use super::shadow::Shadows;
+use super::surface::{Dressed, dress};
+use crate::accel::{Hit, HitStream, RayStream};
+use crate::compile::{AIR, Solids};
+use crate::integrators::TileTask;
+use crate::integrators::tile::TileOrder;
+use crate::lights::{LightPoint, LightSample};
+use crate::surface::{Spot, Spots};
+use vitrine_film::Features;
+use vitrine_math::{DVec3, Frame, Ray, Rgb, Vec3, offset_origin};
+use vitrine_optics::bsdf::{Bsdf, BsdfSample};
+use vitrine_optics::{absorption, dispersion, phase, refract};
+
+/// From this vertex on, paths end by chance.
+const ROULETTE_FROM: u32 = 4;
+/// The least chance to go on.
+const LEAST_CHANCE: f32 = 0.05;
+
+/// What a wave's step works with.
+pub struct Tools<'a, 't> {
+    pub task: &'a TileTask<'t>,
+    pub connector: &'a mut Connector,
+    pub shadows: &'a mut Shadows,
+    pub next: &'a mut Wave,
+    pub light: &'a mut [Rgb],
+    pub order: &'a TileOrder,
+    pub features: &'a mut [Features],
+}
+
+/// Where a path's ray has come to.
+pub struct Arrival<'a> {
+    pub rays: &'a RayStream,
+    pub hits: &'a HitStream,
+    pub spots: &'a Spots,
+    pub i: usize,
+    pub ray: Ray,
+    pub hit: Option<Hit>,
+}
+
+/// A vertex at which a path is scattered.
+struct Vertex<'a> {
+    p: Vec3,
+    /// The form's unit normal on the viewer's side; zero inside milky glass.
+    n: Vec3,
+    reach: f32,
+    wo: Vec3,
+    scattering: Scattering<'a>,
+    sides: Sides,
+}
+
+/// How light is scattered there.
+enum Scattering<'a> {
+    Surface { bsdf: &'a Bsdf, frame: Frame },
+    Inside { anisotropy: f32 },
+}
+
+impl Scattering<'_> {
+    /// f·|cos θ| and the density of that direction.
+    fn eval(&self, wo: Vec3, wi: Vec3) -> (Rgb, f32) {
+        match self {
+            Self::Surface { bsdf, frame } => bsdf.eval(frame.local(wo), frame.local(wi)),
+            Self::Inside { anisotropy } => {
+                // wo points back, so light that goes on has the cosine −⟨wo, wi⟩.
+                let p = phase::henyey_greenstein(-wo.dot(wi), *anisotropy);
+                (Rgb::splat(p), p)
+            }
+        }
+    }
+}
+
+impl Tools<'_, '_> {
+    fn solids(&self) -> &Solids {
+        &self.task.scene.photoreal.solids
+    }
+
+    /// Takes a path on from where its ray has come to.
+    pub fn take(&mut self, mut path: Path, arrival: &Arrival) {
+        let end = arrival.hit.map_or(f32::INFINITY, |hit| hit.t);
+        self.meet_lamps(&path, &arrival.ray, end);
+        if self.is_scattered_inside(&mut path, &arrival.ray, end) {
+            return;
+        }
+        let Some(hit) = arrival.hit else {
+            self.escape(&path, &arrival.ray);
+            return;
+        };
+        let spot = arrival.spots.get(arrival.i, hit);
+        let solid = self.solids().of_primitive(hit.primitive);
+        let mut sides = Sides { before: AIR, beyond: AIR, media: path.media };
+        if solid == AIR {
+            let top = path.media.top(self.solids());
+            (sides.before, sides.beyond) = (top, top);
+        } else {
+            sides = path.media.across(self.solids(), solid, spot.is_outside);
+            if sides.before == sides.beyond {
+                self.pass_hidden(path, arrival, &hit, sides);
+                return;
+            }
+        }
+        if path.depth == 0.0 {
+            path.depth = hit.t;
+        }
+        let material = &self.task.scene.physical[spot.material as usize];
+        let dressed = dress(self.task.scene, material, &spot, arrival);
+        self.meet_emission(&path, &spot, &dressed, arrival.ray.direction);
+        if path.bounce + 1 >= self.task.settings.bounces {
+            return;
+        }
+        if solid != AIR && material.is_clear {
+            self.bend(path, &spot, (solid, sides), arrival, &dressed);
+        } else {
+            self.scatter(path, &spot, (solid, sides), arrival, dressed);
+        }
+    }
+
+    /// Goes straight on through a surface that something else is in the place of.
+    fn pass_hidden(&mut self, mut path: Path, arrival: &Arrival, hit: &Hit, sides: Sides) {
+        path.media = sides.media;
+        path.start_t = hit.t;
+        path.bounce += 1;
+        if path.bounce < self.task.settings.bounces {
+            self.next.rays.push_on(&arrival.ray, hit);
+            self.next.paths.push(path);
+        }
+    }
+
+    /// Adds light to the path's pixel.
+    fn add(&mut self, path: &Path, light: Rgb) {
+        self.light[path.pixel as usize] += path.beta * light;
+    }
+
+    /// Adds the light of the lamps that the ray meets on its way; they stand in the way of nothing.
+    fn meet_lamps(&mut self, path: &Path, ray: &Ray, end: f32) {
+        let scene = self.task.scene;
+        let lights = &scene.photoreal.lights;
+        if !lights.has_lamps() {
+            return;
+        }
+        // Each one once: the search goes on behind the last.
+        let mut from = path.start_t;
+        loop {
+            let rest = Ray { origin: ray.at(from), direction: ray.direction, t_max: end - from };
+            let Some(mut lamp) = lights.intersect(&rest, end - from) else { return };
+            let le = lights.le_surface(lamp.light, true);
+            let step = lamp.t;
+            lamp.t += from;
+            let y = double(lamp.y);
+            let n = (path.origin.n != Vec3::ZERO).then_some(path.origin.n);
+            let pdf = lights.pdf_surface(lamp.light, path.origin.x, n, lamp.y);
+            let cos = lamp.n.dot(ray.direction).abs();
+            let shining = Shining { y, cos, pdf, square: 1.0 };
+            let weight = chance_weight(scene, self.connector, path, &shining);
+            let faded = self.faded(path, lamp.t - path.start_t);
+            self.add(path, le * faded * weight);
+            // A little behind the lamp's surface.
+            from = lamp.t + step.max(lamp.y.abs().max_element()) * 1e-5;
+        }
+    }
+
+    /// What is left of light after so much of what the path is inside of.
+    fn faded(&self, path: &Path, length: f32) -> Rgb {
+        match self.solids().substance(path.media.top(self.solids())) {
+            Some(inside) if !inside.is_empty() => {
+                absorption::transmittance(inside.absorption + inside.scattering, length)
+            }
+            _ => Rgb::WHITE,
+        }
+    }
+
+    /// Lets light fade on its way. Whether the path was scattered before the end of it.
+    fn is_scattered_inside(&mut self, path: &mut Path, ray: &Ray, end: f32) -> bool {
+        let top = path.media.top(self.solids());
+        let Some(inside) = self.solids().substance(top).filter(|s| !s.is_empty()).copied() else {
+            return false;
+        };
+        let length = end - path.start_t;
+        if !inside.scatters() {
+            path.beta = path.beta * absorption::transmittance(inside.absorption, length);
+            return false;
+        }
+        let extinction = inside.absorption + inside.scattering;
+        // One channel chooses the distance; all three share it by their densities.
+        let u = path.one(Draw::Distance) * 3.0;
+        let channel = (u as usize).min(2);
+        let sigma = extinction.to_array()[channel];
+        let u = (u - channel as f32).clamp(0.0, 1.0 - f32::EPSILON);
+        let distance = if sigma > 0.0 { -libm::logf(1.0 - u) / sigma } else { f32::INFINITY };
+        let is_scattered = distance < length;
+        let faded = absorption::transmittance(extinction, distance.min(length));
+        let density = if is_scattered { faded * extinction } else { faded };
+        let mean = (density.r + density.g + density.b) / 3.0;
+        if mean <= 0.0 {
+            return true;
+        }
+        path.beta = path.beta * faded / mean;
+        if !is_scattered {
+            return false;
+        }
+        path.beta = path.beta * inside.scattering;
+        let p = ray.at(path.start_t + distance);
+        self.scatter_inside(*path, p, ray.direction, inside.anisotropy);
+        true
+    }
+
+    /// Scatters a path inside milky glass.
+    fn scatter_inside(&mut self, mut path: Path, p: Vec3, d: Vec3, anisotropy: f32) {
+        if path.bounce + 1 >= self.task.settings.bounces {
+            return;
+        }
+        let top = path.media.top(self.solids());
+        let sides = Sides { before: top, beyond: top, media: path.media };
+        let scattering = Scattering::Inside { anisotropy };
+        let vertex = Vertex { p, n: Vec3::ZERO, reach: p.abs().max_element(), wo: -d, scattering, sides };
+        self.gather(&path, &vertex);
+        let (wi, pdf) = phase::sample_hg(-d, anisotropy, path.two(Draw::Direction));
+        path.origin = Origin { x: p, n: Vec3::ZERO, pdf, wi, media: path.media };
+        path.chain = Chain::default();
+        path.is_seen = false;
+        path.polarisation = Polarisation::default();
+        self.go_on(path, Ray::new(p, wi));
+    }
+
+    /// Adds what shines from infinitely far.
+    fn escape(&mut self, path: &Path, ray: &Ray) {
+        let scene = self.task.scene;
+        let photoreal = &scene.photoreal;
+        if path.is_seen && !photoreal.has_panorama {
+            self.add(path, scene.background);
+            return;
+        }
+        let le = photoreal.lights.le_distant(ray.direction);
+        if le == Rgb::BLACK {
+            return;
+        }
+        let n = (path.origin.n != Vec3::ZERO).then_some(path.origin.n);
+        let pdf = if path.origin.pdf > 0.0 {
+            photoreal.lights.pdf_distant(path.origin.x, n, ray.direction)
+        } else {
+            0.0
+        };
+        let far = photoreal.far;
+        let y = double(ray.origin) + double(ray.direction) * far;
+        let shining = Shining { y, cos: 1.0, pdf, square: far * far };
+        let weight = chance_weight(scene, self.connector, path, &shining);
+        self.add(path, le * weight);
+    }
+
+    /// Adds the light of a surface that shines.
+    fn meet_emission(&mut self, path: &Path, spot: &Spot, dressed: &Dressed, d: Vec3) {
+        if dressed.emission == Rgb::BLACK || !spot.is_outside {
+            return;
+        }
+        let scene = self.task.scene;
+        let lights = &scene.photoreal.lights;
+        let n = (path.origin.n != Vec3::ZERO).then_some(path.origin.n);
+        let light = lights.emitter(spot.hit.primitive, spot.hit.triangle);
+        let pdf = light.map_or(0.0, |light| lights.pdf_surface(light, path.origin.x, n, spot.p));
+        let shining = Shining { y: double(spot.p), cos: spot.n.dot(d).abs(), pdf, square: 1.0 };
+        let weight = chance_weight(scene, self.connector, path, &shining);
+        self.add(path, dressed.emission * weight);
+    }
+
+    /// The indices on both sides of a surface. A path that meets glass whose index depends on the wavelength takes one.
+    fn indices(&self, path: &mut Path, sides: &Sides) -> [f32; 2] {
+        let solids = self.solids();
+        let of = |solid: u16| solids.substance(solid);
+        let is_dispersive = |solid: u16| of(solid).is_some_and(|s| s.is_dispersive);
+        if path.wavelength == 0.0 && (is_dispersive(sides.before) || is_dispersive(sides.beyond)) {
+            let (wavelength, response) = dispersion::sample_wavelength(path.one(Draw::Wavelength));
+            path.wavelength = wavelength;
+            path.beta = path.beta * response;
+        }
+        [sides.before, sides.beyond].map(|s| of(s).map_or(1.0, |s| s.index_at(path.wavelength)))
+    }
+
+    /// At the clear surface of a solid: light is reflected or bent, never scattered.
+    fn bend(
+        &mut self,
+        mut path: Path,
+        spot: &Spot,
+        (solid, sides): (u16, Sides),
+        arrival: &Arrival,
+        dressed: &Dressed,
+    ) {
+        let [here, there] = self.indices(&mut path, &sides);
+        let (wo, n, eta) = (-arrival.ray.direction, dressed.frame.z, there / here);
+        let parting = if self.task.settings.unpolarised {
+            Polarisation::part_unpolarised(wo, n, eta)
+        } else {
+            path.polarisation.part(wo, n, eta)
+        };
+        let is_reflected = path.one(Draw::Lobe) < parting.reflectance;
+        self.add_to_chain(&mut path, solid, spot, is_reflected);
+        let (wi, side) = if is_reflected {
+            path.polarisation = parting.reflected;
+            (vitrine_optics::reflect(wo, n), spot.n)
+        } else {
+            let Some(wi) = refract(wo, n, eta) else { return };
+            path.polarisation = parting.passed;
+            path.beta = path.beta * dressed.surface.transmission_tint / (eta * eta);
+            path.condensed *= eta * eta;
+            path.media = sides.media;
+            (wi, -spot.n)
+        };
+        if wi.dot(side) > 0.0 {
+            self.go_on(path, Ray::new(offset_origin(spot.p, side, spot.reach), wi.normalize()));
+        }
+    }
+
+    /// Notes a smooth surface.
+    fn add_to_chain(&self, path: &mut Path, solid: u16, spot: &Spot, is_reflected: bool) {
+        let piece = (solid != AIR).then(|| self.solids().get(solid).piece).flatten();
+        match piece {
+            Some(piece) if self.solids().is_clear(solid) => {
+                let outward = if spot.is_outside { spot.n } else { -spot.n };
+                path.chain.push(solid, face_of(&piece, outward), is_reflected);
+            }
+            _ => path.chain.push_other(),
+        }
+    }
+
+    /// At any other surface: looks for light, then goes on in a direction that the surface chooses.
+    fn scatter(
+        &mut self,
+        mut path: Path,
+        spot: &Spot,
+        (solid, sides): (u16, Sides),
+        arrival: &Arrival,
+        dressed: Dressed,
+    ) {
+        let Dressed { frame, mut surface, .. } = dressed;
+        if solid == AIR && surface.transmission > 0.0 {
+            // What has no inside is a sheet, which tints as a whole.
+            surface.thin_walled = true;
+            surface.thin_absorption = surface.transmission_tint;
+            surface.transmission_tint = Rgb::WHITE;
+        }
+        let here = if solid == AIR {
+            self.solids().substance(sides.before).map_or(1.0, |s| s.index_at(path.wavelength))
+        } else {
+            let [here, there] = self.indices(&mut path, &sides);
+            surface.eta = there;
+            here
+        };
+        surface.eta /= here;
+        surface.coat_ior /= here;
+        let wo = -arrival.ray.direction;
+        let wo_local = frame.local(wo);
+        let bsdf = Bsdf::new(&surface, wo_local.z);
+        let has_smooth_part = bsdf.has_smooth_part();
+        if path.is_seen && has_smooth_part {
+            self.note_features(&path, &bsdf, frame.z);
+        }
+        if has_smooth_part {
+            let scattering = Scattering::Surface { bsdf: &bsdf, frame };
+            let vertex = Vertex { p: spot.p, n: spot.n, reach: spot.reach, wo, scattering, sides };
+            self.gather(&path, &vertex);
+        }
+        let Some(sample) = bsdf.sample(wo_local, path.one(Draw::Lobe), path.two(Draw::Direction)) else {
+            return;
+        };
+        let wi = frame.world(sample.wi).normalize();
+        // A normal for shading may send light to the other side of the surface than it is meant to.
+        let goes_through = wi.dot(spot.n) < 0.0;
+        if goes_through != sample.event.is_transmission {
+            return;
+        }
+        self.follow(&mut path, spot, (solid, sides), &sample, (wi, surface.eta));
+        let side = if goes_through { -spot.n } else { spot.n };
+        self.go_on(path, Ray::new(offset_origin(spot.p, side, spot.reach), wi));
+    }
+
+    /// Updates a path that leaves a surface.
+    fn follow(
+        &mut self,
+        path: &mut Path,
+        spot: &Spot,
+        (solid, sides): (u16, Sides),
+        sample: &BsdfSample,
+        (wi, eta): (Vec3, f32),
+    ) {
+        path.beta = path.beta * sample.weight;
+        if sample.event.is_transmission && solid != AIR {
+            path.media = sides.media;
+            path.condensed *= eta * eta;
+        }
+        path.polarisation = Polarisation::default();
+        if !sample.event.is_delta {
+            let (n, media) = (spot.n, path.media);
+            path.origin = Origin { x: spot.p, n, pdf: sample.pdf, wi, media };
+            path.chain = Chain::default();
+            path.is_seen = false;
+        } else if solid != AIR || !sample.event.is_transmission {
+            self.add_to_chain(path, solid, spot, !sample.event.is_transmission);
+        }
+    }
+
+    /// Notes what a denoiser wants to know of the first surface that scatters light.
+    fn note_features(&mut self, path: &Path, bsdf: &Bsdf, n: Vec3) {
+        let features = &mut self.features[self.order.number(path.pixel as usize)];
+        features.albedo += bsdf.albedo();
+        features.normal += n;
+        features.depth += path.depth;
+    }
+
+    /// Sends a path on, or ends it by chance where little of its light arrives.
+    fn go_on(&mut self, mut path: Path, ray: Ray) {
+        path.bounce += 1;
+        path.start_t = 0.0;
+        let beta = path.beta.to_array();
+        let largest = beta.iter().fold(0.0_f32, |a, b| a.max(b.abs())) * path.condensed;
+        if !(largest > 0.0 && largest.is_finite()) {
+            return;
+        }
+        if path.bounce >= ROULETTE_FROM && largest < 1.0 {
+            let chance = largest.max(LEAST_CHANCE);
+            if path.one(Draw::Roulette) >= chance {
+                return;
+            }
+            path.beta = path.beta / chance;
+        }
+        self.next.rays.push(&ray);
+        self.next.paths.push(path);
+    }
+
+    /// Looks for light on purpose: one point of one light, and all ways from there.
+    fn gather(&mut self, path: &Path, vertex: &Vertex) {
+        let scene = self.task.scene;
+        let photoreal = &scene.photoreal;
+        let n = (vertex.n != Vec3::ZERO).then_some(vertex.n);
+        let (choice, at) = (path.one(Draw::Light), path.two(Draw::LightPoint));
+        let Some(sample) = photoreal.lights.sample(vertex.p, n, choice, at) else { return };
+        let x = double(vertex.p);
+        let (y, square) = match sample.at {
+            LightPoint::Point { position } | LightPoint::Surface { position, .. } => (double(position), 1.0),
+            LightPoint::Distant { toward } => {
+                (x + double(toward) * photoreal.far, photoreal.far * photoreal.far)
+            }
+        };
+        let is_front = vertex.n == Vec3::ZERO || (y - x).dot(double(vertex.n)) > 0.0;
+        let media = if is_front { path.media } else { vertex.sides.media };
+        let (wavelength, response) = if path.wavelength == 0.0 && photoreal.has_dispersion {
+            dispersion::sample_wavelength(path.one(Draw::ConnectionWavelength))
+        } else {
+            (path.wavelength, Rgb::WHITE)
+        };
+        let ends = Ends { x, y, media, wavelength };
+        self.connector.connect(&photoreal.solids, &ends, None);
+        let found = std::mem::take(&mut self.connector.found);
+        for connection in &found {
+            let is_colored = connection.steps.all().iter().any(|s| {
+                [s.before, s.beyond]
+                    .iter()
+                    .any(|m| photoreal.solids.substance(*m).is_some_and(|m| m.is_dispersive))
+            });
+            let response = if is_colored { response } else { Rgb::WHITE };
+            self.offer(path, vertex, &sample, &Offer { connection, ends: &ends, square, response, is_front });
+        }
+        self.connector.found = found;
+    }
+
+    /// Adds the light of one connection, if nothing stands in its way.
+    fn offer(&mut self, path: &Path, vertex: &Vertex, sample: &LightSample, offer: &Offer) {
+        let Offer { connection, ends, square, response, is_front } = *offer;
+        let wi = connection.wx.as_vec3();
+        let leaves_front = vertex.n == Vec3::ZERO || wi.dot(vertex.n) > 0.0;
+        if leaves_front != is_front {
+            return;
+        }
+        let (f, pdf) = vertex.scattering.eval(vertex.wo, wi);
+        if f == Rgb::BLACK {
+            return;
+        }
+        let cos = match sample.at {
+            LightPoint::Surface { n, is_two_sided, .. } => {
+                let cos = connection.wy.as_vec3().dot(n);
+                if is_two_sided { cos.abs() } else { cos.max(0.0) }
+            }
+            LightPoint::Point { .. } | LightPoint::Distant { .. } => 1.0,
+        };
+        let g = (connection.spread * square) as f32 * cos;
+        if g <= 0.0 {
+            return;
+        }
+        // f·τ·L_e·G/p_A, and with the balance heuristic f·τ·L_e/(p_A/G + p_bsdf), which stays finite at caustics.
+        let density = sample.pdf / g + if sample.is_delta { 0.0 } else { pdf };
+        let solids = self.solids();
+        let tau = super::connect::transmittance(self.task, solids, connection, ends);
+        let light = path.beta * response * f * tau * sample.le / density;
+        if !light.is_finite() || light == Rgb::BLACK {
+            return;
+        }
+        self.shadows.expect(path.pixel, light);
+        self.add_legs(vertex, sample, connection, ends);
+    }
+
+    /// The straight parts of a connection.
+    fn add_legs(&mut self, vertex: &Vertex, sample: &LightSample, connection: &Connection, ends: &Ends) {
+        let steps = connection.steps.all();
+        let wi = connection.wx.as_vec3();
+        let side = if wi.dot(vertex.n) < 0.0 { -vertex.n } else { vertex.n };
+        let mut from = offset_origin(vertex.p, side, vertex.reach);
+        let mut medium = ends.media.top(self.solids());
+        let mut d = connection.wx;
+        for (k, step) in steps.iter().enumerate() {
+            let v = connection.vertices[k];
+            // The side of the face from which the light's way comes.
+            let near = if step.n.dot(d) < 0.0 { step.n } else { -step.n };
+            let (p, near) = (v.as_vec3(), near.as_vec3());
+            let reach = p.abs().max_element();
+            self.shadows.leg(from, offset_origin(p, near, reach), medium);
+            let leaving = if step.reflects { near } else { -near };
+            from = offset_origin(p, leaving, reach);
+            medium = step.after();
+            let next = connection.vertices.get(k + 1).filter(|_| k + 1 < steps.len()).unwrap_or(&ends.y);
+            d = (*next - v).normalize_or(DVec3::X);
+        }
+        let to = match sample.at {
+            LightPoint::Surface { position, n, .. } => {
+                let near = if connection.wy.as_vec3().dot(n) < 0.0 { -n } else { n };
+                offset_origin(position, near, position.abs().max_element())
+            }
+            LightPoint::Point { position } => position,
+            LightPoint::Distant { .. } => ends.y.as_vec3(),
+        };
+        self.shadows.leg(from, to, medium);
+    }
+}
+
+/// A connection that may bring light.
+struct Offer<'a> {
+    connection: &'a Connection,
+    ends: &'a Ends,
+    /// What turns square metres into steradians for what is infinitely far; else 1.
+    square: f64,
+    /// The colour of the wavelength.
+    response: Rgb,
+    /// Whether the light comes from the viewer's side.
+    is_front: bool,
+}
