@@ -219,7 +219,8 @@ impl Tools<'_, '_> {
         let top = path.media.top(self.solids());
         let sides = Sides { before: top, beyond: top, media: path.media };
         let scattering = Scattering::Inside { anisotropy };
-        let vertex = Vertex { p, n: Vec3::ZERO, reach: p.abs().max_element(), wo: -d, scattering, sides };
+        let vertex =
+            Vertex { p, n: Vec3::ZERO, reach: p.abs().max_element(), wo: -d, scattering, sides };
         self.gather(&path, &vertex);
         let (wi, pdf) = phase::sample_hg(-d, anisotropy, path.two(Draw::Direction));
         path.origin = Origin { x: p, n: Vec3::ZERO, pdf, wi, media: path.media };
@@ -547,3 +548,4 @@ struct Offer<'a> {
     /// Whether the light comes from the viewer's side.
     is_front: bool,
 }
+
