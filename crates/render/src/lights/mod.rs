@@ -9,6 +9,7 @@
 //! classic renderer shows at any distance. So the irradiance there is π·I, and a point has the radiant intensity π·I·d².
 
 mod bound;
+mod choice;
 mod cuboid;
 mod disc;
 mod distant;
@@ -30,20 +31,17 @@ pub use emitters::{Emitter, EmitterForm};
 pub use lamps::LampHit;
 
 use bound::Bound;
+use choice::{FEW, Local, Weights};
 use disc::Plate;
 use distant::DistantLights;
 use emitters::EmitterTable;
 use form::Form;
 use lamps::{Lamp, LampForm, Lamps};
 use std::f32::consts::PI;
-use tree::{Cut, LightTree};
+use tree::LightTree;
 use vitrine_math::{Ray, Rgb, Vec3, hash};
 use vitrine_scene::lights::Emission;
 
-/// Up to here lights with a place are looked at one by one.
-const FEW: usize = 16;
-/// Lights with a place and distant light have at least this share of the choice each, where there are both.
-const LEAST_SHARE: f32 = 0.1;
 /// No radiance is larger, so that products stay numbers.
 const BRIGHTEST: f32 = 1e30;
 
@@ -301,73 +299,6 @@ impl Lights {
             Local::Each(each, sum)
         };
         Weights { local, distant }
-    }
-}
-
-/// What the choice of a light goes by: about what lights bring, as irradiances.
-struct Weights {
-    /// Those that have a place.
-    local: Local,
-    /// All distant light.
-    distant: f32,
-}
-
-/// What the choice among lights with a place goes by.
-enum Local {
-    /// There is one, and nothing else: it is chosen always.
-    Only,
-    /// What each of few brings, and the sum.
-    Each([f32; FEW], f32),
-    /// What groups of many bring.
-    Cut(Cut),
-}
-
-impl Weights {
-    /// The probability that distant light is chosen. None where nothing arrives.
-    #[inline]
-    fn distant_share(&self) -> Option<f32> {
-        let local = match &self.local {
-            Local::Only => 1.0,
-            Local::Each(_, sum) => *sum,
-            Local::Cut(cut) => cut.sum,
-        };
-        match (local > 0.0, self.distant > 0.0) {
-            (false, false) => None,
-            (true, false) => Some(0.0),
-            (false, true) => Some(1.0),
-            (true, true) => {
-                let share = self.distant / (local + self.distant);
-                Some(LEAST_SHARE + (1.0 - 2.0 * LEAST_SHARE) * share)
-            }
-        }
-    }
-}
-
-impl Local {
-    /// Chooses one of few lights; gives its probability.
-    #[inline]
-    fn choose(&self, u: f32) -> Option<(u32, f32)> {
-        let Self::Each(each, sum) = self else { return Some((0, 1.0)) };
-        let mut rest = u * sum;
-        let mut last = None;
-        for (light, &weight) in (0..).zip(each).filter(|(_, weight)| **weight > 0.0) {
-            last = Some((light, weight / sum));
-            if rest < weight {
-                break;
-            }
-            rest -= weight;
-        }
-        last
-    }
-
-    /// The probability with which one of few lights is chosen.
-    #[inline]
-    fn probability(&self, light: u32) -> f32 {
-        match self {
-            Self::Each(each, sum) if *sum > 0.0 => each[light as usize] / sum,
-            Self::Each(..) => 0.0,
-            Self::Only | Self::Cut(_) => 1.0,
-        }
     }
 }
 

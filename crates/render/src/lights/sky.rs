@@ -148,9 +148,9 @@ fn perez_formula([a, b, c, d, e]: &Perez, cos: f32, [angle, cos_sun]: [f32; 2]) 
 fn rgb_from_chromaticity(x: f32, y: f32) -> Rgb {
     let [big_x, big_z] = [x / y, (1.0 - x - y) / y];
     let rgb = Rgb::new(
-        (3.240_970 * big_x - 1.537_383 - 0.498_611 * big_z).max(0.0),
+        (3.240_97 * big_x - 1.537_383 - 0.498_611 * big_z).max(0.0),
         (-0.969_244 * big_x + 1.875_968 + 0.041_555 * big_z).max(0.0),
-        (0.055_630 * big_x - 0.203_977 + 1.056_972 * big_z).max(0.0),
+        (0.055_63 * big_x - 0.203_977 + 1.056_972 * big_z).max(0.0),
     );
     rgb / rgb.luminance()
 }

@@ -157,7 +157,7 @@ fn directions() -> impl Iterator<Item = (Vec3, f32)> {
         let z = 2.0 * (i as f32 + 0.5) / FINE[0] as f32 - 1.0;
         let ground = (1.0 - z * z).sqrt();
         let (sin, cos) = (std::f32::consts::TAU * (j as f32 + 0.5) / FINE[1] as f32).sin_cos();
-        let solid_angle = 4.0 * std::f32::consts::PI / (FINE[0] * FINE[1]) as f32;
+        let solid_angle = 4.0 * PI / (FINE[0] * FINE[1]) as f32;
         (Vec3::new(ground * cos, ground * sin, z), solid_angle)
     })
 }
