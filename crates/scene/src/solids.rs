@@ -180,9 +180,11 @@ mod tests {
 
     #[test]
     fn open_models_of_glass_are_named_unless_they_are_thin() {
-        let mut sheet = TriangleMesh::default();
-        sheet.positions = vec![Vec3::ZERO, Vec3::X, Vec3::Y];
-        sheet.triangles = vec![[0, 1, 2]];
+        let sheet = TriangleMesh {
+            positions: vec![Vec3::ZERO, Vec3::X, Vec3::Y],
+            triangles: vec![[0, 1, 2]],
+            ..TriangleMesh::default()
+        };
         let meshes = [("sheet.obj".into(), Arc::new(sheet))].into();
         let assets = Assets { meshes, ..Assets::default() };
         let shape = Shape::Mesh(Mesh { file: "sheet.obj".into(), ..Mesh::default() });
