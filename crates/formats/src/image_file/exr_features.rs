@@ -178,8 +178,11 @@ mod tests {
         parse_exr_features(bytes, Path::new(PATH))
     }
 
+    /// A layer's name and its channels, each of one value.
+    type Part<'a> = (Option<&'a str>, &'a [(&'a str, f32)]);
+
     /// A file of parts, each a name and its channels of 3 × 2 numbers that begin with the given ones.
-    fn file(parts: &[(Option<&str>, &[(&str, f32)])]) -> Vec<u8> {
+    fn file(parts: &[Part]) -> Vec<u8> {
         let layers = parts.iter().map(|(name, channels)| {
             let channel = |&(name, first): &(&str, f32)| {
                 AnyChannel::new(name, FlatSamples::F32((0..6_u8).map(|i| first + f32::from(i)).collect()))
@@ -248,7 +251,7 @@ mod tests {
             ("normal.Z", 9.0),
             ("normal.heat", 0.0),
         ];
-        let parts: &[(Option<&str>, &[(&str, f32)])] = &[
+        let parts: &[Part] = &[
             (Some("rgba"), &[("R", 1.0), ("G", 2.0), ("B", 3.0)]),
             (Some("albedo"), &[("R", 4.0), ("G", 5.0), ("B", 6.0)]),
             (Some("View.Denoising Normal"), &[("X", 7.0), ("Y", 8.0), ("Z", 9.0)]),

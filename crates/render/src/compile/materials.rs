@@ -178,7 +178,9 @@ impl MaterialTable {
                 name: name.clone(),
             };
             let find = |name: &Option<String>| match name {
-                Some(name) => texture_index.get(name.as_str()).copied().ok_or_else(|| missing(name)).map(Some),
+                Some(name) => {
+                    texture_index.get(name.as_str()).copied().ok_or_else(|| missing(name)).map(Some)
+                }
                 None => Ok(None),
             };
             by_name.insert(material.name.clone(), materials.len() as u32);
@@ -224,7 +226,8 @@ impl MaterialTable {
             };
             self.materials.push(CompiledMaterial::new(&slot.material, texture));
             let color = texture.map(|t| t as u32);
-            self.physical.push(CompiledPhysical::new(&slot.material, TextureSet { color, ..TextureSet::default() }));
+            self.physical
+                .push(CompiledPhysical::new(&slot.material, TextureSet { color, ..TextureSet::default() }));
         }
         Ok(first..self.materials.len() as u32)
     }

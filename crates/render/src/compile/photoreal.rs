@@ -47,7 +47,7 @@ impl Photoreal {
         let solids = Solids::new(solids(parts), parts.primitives.len());
         let is_sheet = |p: &Primitive| {
             let materials = &parts.physical[p.material as usize..][..p.slots()];
-            materials.iter().any(|m| m.is_transmissive()) && is_thin(&materials[0].numbers, p)
+            materials.iter().any(CompiledPhysical::is_transmissive) && is_thin(&materials[0].numbers, p)
         };
         let sees_far = |e: &Emission| matches!(e, Emission::Environment { .. } | Emission::Sky { .. });
         let middle = if parts.bounds.is_empty() { Vec3::ZERO } else { parts.bounds.center() };
@@ -103,13 +103,15 @@ fn emitters(parts: &Parts) -> Vec<Emitter> {
     let mut emitters = Vec::new();
     for (id, primitive) in (0..).zip(parts.primitives) {
         let materials = &parts.physical[primitive.material as usize..][..primitive.slots()];
-        if materials.iter().all(|m| m.emission == Rgb::BLACK) {
+        // What a picture makes brighter here and darker there is found by chance alone.
+        let is_flat = |m: &CompiledPhysical| m.emission != Rgb::BLACK && m.textures.emission.is_none();
+        if !materials.iter().any(is_flat) {
             continue;
         }
+        let is_mirrored = primitive.transform.world_from_object.matrix3.determinant() < 0.0;
         let mut add = |form: EmitterForm, triangle: u32| {
             let material = &parts.physical[primitive.material_of(triangle) as usize];
-            // A texture makes some of it brighter; how bright on average is not worth finding out.
-            if material.emission != Rgb::BLACK {
+            if is_flat(material) {
                 let (radiance, primitive) = (material.emission, id);
                 emitters.push(Emitter { form, radiance, is_two_sided: false, primitive, triangle });
             }
@@ -124,7 +126,11 @@ fn emitters(parts: &Parts) -> Vec<Emitter> {
             Form::Triangle { points, .. } => add(EmitterForm::Triangle { points: *points }, 0),
             Form::Mesh { mesh, .. } => {
                 for (triangle, corners) in (0..).zip(&mesh.triangles) {
-                    let points = corners.map(|c| primitive.transform.point(mesh.positions[c as usize]));
+                    let mut points = corners.map(|c| primitive.transform.point(mesh.positions[c as usize]));
+                    // A mirror image of a model turns its triangles over.
+                    if is_mirrored {
+                        points.swap(1, 2);
+                    }
                     add(EmitterForm::Triangle { points }, triangle);
                 }
             }

@@ -208,7 +208,10 @@ impl Substance {
     pub fn new(m: &PhysicalMaterial) -> Self {
         let is_dispersive = m.transmission_dispersion_scale > 0.0 && m.specular_ior > 1.0;
         let index = if is_dispersive {
-            Cauchy::from_abbe(m.specular_ior, m.transmission_dispersion_abbe_number / m.transmission_dispersion_scale)
+            Cauchy::from_abbe(
+                m.specular_ior,
+                m.transmission_dispersion_abbe_number / m.transmission_dispersion_scale,
+            )
         } else {
             Cauchy { a: m.specular_ior, b: 0.0 }
         };

@@ -70,7 +70,11 @@ impl Piece {
                 // A box that a group has sheared has no right angles.
                 let slant = [axes[0].dot(axes[1]), axes[1].dot(axes[2]), axes[2].dot(axes[0])];
                 let is_right = slant.iter().all(|s| s.abs() < 1e-5);
-                is_right.then_some(Self::Block { center: unit.world_from_object.translation.into(), axes, half })
+                is_right.then_some(Self::Block {
+                    center: unit.world_from_object.translation.into(),
+                    axes,
+                    half,
+                })
             }
             _ => None,
         }

@@ -121,7 +121,11 @@ fn round_tangents(p: Vec3) -> [Vec3; 2] {
     let ring = across.length();
     // At the poles any direction will do.
     let u = if ring > 1e-6 * r { across * (2.0 * PI) } else { Vec3::X * (2.0 * PI * r) };
-    let up = if ring > 1e-6 * r { (Vec3::Y * (ring * ring) - Vec3::new(p.x, 0.0, p.z) * p.y) / ring } else { Vec3::Z * r };
+    let up = if ring > 1e-6 * r {
+        (Vec3::Y * (ring * ring) - Vec3::new(p.x, 0.0, p.z) * p.y) / ring
+    } else {
+        Vec3::Z * r
+    };
     [u, up * PI]
 }
 

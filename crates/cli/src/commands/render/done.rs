@@ -6,6 +6,7 @@ use crate::report::Report;
 use crate::stopwatch::{self, Elapsed};
 use serde_json::{Value, json};
 use std::path::Path;
+use vitrine::denoise::DenoiseError;
 use vitrine::summary::plural;
 use vitrine::{Ending, Project, Region, Rendered, WriteOptions};
 
@@ -23,6 +24,8 @@ pub struct Done {
     noise: Option<f32>,
     rays: u64,
     elapsed: Elapsed,
+    /// What the file says of its denoising, or why there was none. None: nobody asked for it.
+    pub denoised: Option<Result<(String, String), DenoiseError>>,
 }
 
 impl Done {
@@ -39,7 +42,13 @@ impl Done {
             noise: rendered.noise,
             rays: rendered.rays,
             elapsed,
+            denoised: None,
         }
+    }
+
+    /// Key and text for the picture's file.
+    fn denoised(&self) -> Option<&(String, String)> {
+        self.denoised.as_ref()?.as_ref().ok()
     }
 
     /// Whether the picture is what was asked for.
@@ -58,6 +67,7 @@ impl Done {
                 say("vitrine:samples-done", self.fewest.to_string());
             }
         }
+        options.metadata.extend(self.denoised().cloned());
         options
     }
 
@@ -92,6 +102,7 @@ impl Done {
             "render_seconds": self.elapsed.wall.as_secs_f64(),
             "cpu_seconds": self.elapsed.cpu.as_secs_f64(),
             "scene_hash": project.hash().to_string(),
+            "denoised": self.denoised().map(|(_, by)| by),
         })
     }
 
@@ -104,8 +115,9 @@ impl Done {
             Ending::Time => format!(", its time was over after {} samples{noise}", self.fewest),
             Ending::Samples | Ending::Unfinished => noise,
         };
+        let denoised = if self.denoised().is_some() { ", denoised" } else { "" };
         let (time, rays) = (stopwatch::words(self.elapsed.wall), console::thousands(self.rays));
-        format!("{width} × {height} pixels in {time} ({rays} rays){end}")
+        format!("{width} × {height} pixels in {time} ({rays} rays){end}{denoised}")
     }
 
     fn word(&self) -> &'static str {

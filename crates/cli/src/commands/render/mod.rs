@@ -2,6 +2,7 @@
 
 mod done;
 
+use crate::denoise::{self, DenoiseFlags};
 use crate::events::Events;
 use crate::failure::{Exit, Failure};
 use crate::flags::{PictureFlags, SettingFlags, ThreadFlag};
@@ -15,10 +16,14 @@ use clap::Args;
 use done::Done;
 use serde_json::json;
 use std::path::{Path, PathBuf};
+use vitrine::denoise::{DenoiseError, Denoiser};
+use vitrine::film::Film;
 use vitrine::render::accel::simd::Instructions;
 use vitrine::render::{CompiledScene, Glance};
+use vitrine::scene::{Renderer, Settings};
 use vitrine::{
-    Error, Project, Region, RenderJob, RenderOptions, Rendered, WriteOptions, display_of, formats, layers_of,
+    Error, Image, Project, Region, RenderJob, RenderOptions, Rendered, WriteOptions, display_of, formats,
+    layers_of,
 };
 
 /// Make the picture of a scene
@@ -33,6 +38,7 @@ use vitrine::{
     vitrine render ball.vitrine.toml -o part.png --region 100,50,400,300 --threads 1\n  \
     vitrine render ball.vitrine.toml --renderer photoreal --samples 4096 --noise 0.02 --time 600\n  \
     vitrine render ball.vitrine.toml --resume\n  \
+    vitrine render ball.vitrine.toml --denoise\n  \
     vitrine render ball.vitrine.toml -o ball.exr --layers\n  \
     vitrine render ball.vitrine.toml --json | tail -1")]
 pub struct Render {
@@ -71,13 +77,24 @@ pub struct Render {
     ///
     /// Each line has an "event": start, warning, progress, and last done or error. The line of done has output, complete,
     /// ended (samples, noise, time or interrupted), width, height, threads, samples, resumed_samples, bad_samples, noise, rays,
-    /// render_seconds and cpu_seconds; the times are those of rendering alone.
+    /// render_seconds, cpu_seconds (the times are those of rendering alone) and denoised: by what, or null. When the picture is
+    /// saved and could not be denoised, an error follows.
     #[arg(long)]
     pub json: bool,
 
     /// No progress bar, no warnings, no last line; errors are still shown
     #[arg(short, long)]
     quiet: bool,
+
+    /// Take out the noise that is left when the picture is done, as settings.denoise asks for it in a scene
+    ///
+    /// Open Image Denoise 2 does it, which is no part of Vitrine and must be there. Where it is not, the picture is saved with
+    /// its noise, and the exit code is 1. The same bytes on every machine are promised only without this.
+    #[arg(long)]
+    denoise: bool,
+
+    #[command(flatten)]
+    denoising: DenoiseFlags,
 
     #[command(flatten)]
     settings: SettingFlags,
@@ -103,7 +120,9 @@ impl Render {
         let mut events = Events::new(self.json);
         let mut kept = self.keep.of(&path, &project, self.region);
         self.send_start(&events, &project, &path);
-        self.show_warnings(&events, &Report::warnings_of(&project));
+        let denoiser =
+            self.wants_denoising(&project.scene.settings).then(|| self.denoising.find(self.threads.threads));
+        self.show_warnings(&events, &warnings_of(&project, denoiser.as_ref()));
 
         let bar = Bar::new(self.quiet || self.json);
         let mut compiled = picture::compile(&project)?;
@@ -126,11 +145,18 @@ impl Render {
         };
         let rendered = job.resume(begun, self.threads.count(), &cancel, look).map_err(Error::from)?;
         let elapsed = watch.elapsed();
+        let mut done = Done::new(&rendered, before, elapsed);
+        // Who presses Ctrl-C waits for nothing more.
+        let denoiser = denoiser.filter(|_| done.is_complete());
+        if denoiser.is_some() {
+            bar.say("Denoising…");
+        }
+        let image = self.finish(denoiser, &rendered.film, &mut done);
         drop(bar);
 
-        let done = Done::new(&rendered, before, elapsed);
         if done.samples > 0 {
-            self.save(&path, (&project, &compiled), &rendered, &done.mark(write_options))?;
+            let made = (&rendered, &image);
+            self.save(&path, (&project, &compiled), made, &done.mark(write_options))?;
         }
         let can_go_on = kept.end(rendered);
         self.show_warnings(&events, &done.warnings());
@@ -139,6 +165,9 @@ impl Render {
             events.send(&done.event(path, &project, self.threads.count()));
         }
         self.say_done(path, &done, can_go_on)?;
+        if let Some(Err(error)) = &done.denoised {
+            return Err(kept_its_noise(error));
+        }
         Ok(if done.is_complete() { Exit::Done } else { Exit::Interrupted })
     }
 
@@ -161,17 +190,45 @@ impl Render {
         &self,
         path: &Path,
         (project, compiled): (&Project, &CompiledScene),
-        rendered: &Rendered,
+        (rendered, image): (&Rendered, &Image),
         options: &WriteOptions,
     ) -> Result<(), Failure> {
-        let image = rendered.film.image();
         if self.layers {
             let layers = layers_of(&project.scene, compiled, &rendered.film, self.threads.count());
-            formats::write_layers(path, &image, &layers, options)?;
+            formats::write_layers(path, image, &layers, options)?;
         } else {
-            formats::write_image(path, &image, options)?;
+            formats::write_image(path, image, options)?;
         }
         Ok(())
+    }
+
+    /// Whether the noise is to be taken out: the flag asks for that with any renderer, a scene for photoreal pictures only.
+    fn wants_denoising(&self, settings: &Settings) -> bool {
+        self.denoise || settings.denoise && settings.renderer == Renderer::Photoreal
+    }
+
+    /// The film's picture, without its noise where that was asked for and can be done.
+    fn finish(
+        &self,
+        denoiser: Option<Result<Denoiser, DenoiseError>>,
+        film: &Film,
+        done: &mut Done,
+    ) -> Image {
+        let clean = |denoiser: Denoiser| {
+            let image = denoiser.run_film(film, self.denoising.quality())?;
+            Ok((image, denoise::metadata(&denoiser)))
+        };
+        match denoiser.map(|denoiser| denoiser.and_then(clean)) {
+            Some(Ok((image, by))) => {
+                done.denoised = Some(Ok(by));
+                image
+            }
+            Some(Err(error)) => {
+                done.denoised = Some(Err(error));
+                film.image()
+            }
+            None => film.image(),
+        }
     }
 
     fn show_warnings(&self, events: &Events, warnings: &[Report]) {
@@ -224,4 +281,19 @@ impl Render {
         }
         console::print(format!("{}: {}\n", path.display(), done.words()))
     }
+}
+
+/// What may be wrong before a picture is made.
+fn warnings_of(project: &Project, denoiser: Option<&Result<Denoiser, DenoiseError>>) -> Vec<Report> {
+    let mut warnings = Report::warnings_of(project);
+    if let Some(Err(_)) = denoiser {
+        warnings.push(Report::warning("Open Image Denoise 2 was not found: the picture will keep its noise"));
+    }
+    warnings
+}
+
+/// The end of a render whose picture is saved and was not denoised.
+fn kept_its_noise(error: &DenoiseError) -> Failure {
+    let report = Report::error(format!("the picture is saved with its noise: {error}"));
+    Failure::new(Exit::Failed, report.with_help(error.help()))
 }

@@ -30,7 +30,8 @@ impl Chain {
             self.is_other = true;
             return;
         }
-        self.steps[usize::from(self.len)] = u32::from(solid) << 8 | u32::from(face) << 1 | u32::from(reflects);
+        self.steps[usize::from(self.len)] =
+            u32::from(solid) << 8 | u32::from(face) << 1 | u32::from(reflects);
         self.len += 1;
     }
 

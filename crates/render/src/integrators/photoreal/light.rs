@@ -22,7 +22,12 @@ pub struct Shining {
 ///
 /// A way through smooth surfaces counts as found on purpose if the connector would find it, which depends on its ends and
 /// its chain alone.
-pub fn chance_weight(scene: &CompiledScene, connector: &mut Connector, path: &Path, shining: &Shining) -> f32 {
+pub fn chance_weight(
+    scene: &CompiledScene,
+    connector: &mut Connector,
+    path: &Path,
+    shining: &Shining,
+) -> f32 {
     let origin = &path.origin;
     if origin.pdf <= 0.0 || shining.pdf <= 0.0 {
         return 1.0;

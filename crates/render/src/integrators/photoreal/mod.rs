@@ -6,6 +6,7 @@
 
 mod chain;
 mod connect;
+mod gather;
 mod light;
 mod media;
 mod path;

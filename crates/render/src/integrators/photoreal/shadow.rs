@@ -116,8 +116,7 @@ fn passed(scene: &CompiledScene, spots: &Spots, (i, ray, hit): (usize, &Ray, Hit
     let solid = photoreal.solids.of_primitive(hit.primitive);
     if solid != AIR {
         // Inside another solid that is there in its place.
-        let is_hidden = medium != AIR
-            && photoreal.solids.get(solid).rank > photoreal.solids.get(medium).rank;
+        let is_hidden = medium != AIR && photoreal.solids.get(solid).rank > photoreal.solids.get(medium).rank;
         return if is_hidden { Rgb::WHITE } else { Rgb::BLACK };
     }
     let spot = spots.get(i, hit);

@@ -2,7 +2,7 @@
 
 use super::Wave;
 use super::chain::Chain;
-use super::connect::{Connection, Connector, Ends, double, face_of};
+use super::connect::{Connector, double, face_of};
 use super::light::{Shining, chance_weight};
 use super::media::Sides;
 use super::path::{Draw, Origin, Path};
@@ -13,17 +13,14 @@ use crate::accel::{Hit, HitStream, RayStream};
 use crate::compile::{AIR, Solids};
 use crate::integrators::TileTask;
 use crate::integrators::tile::TileOrder;
-use crate::lights::{LightPoint, LightSample};
 use crate::surface::{Spot, Spots};
 use vitrine_film::Features;
-use vitrine_math::{DVec3, Frame, Ray, Rgb, Vec3, offset_origin};
+use vitrine_math::{Frame, Ray, Rgb, Vec3, offset_origin};
 use vitrine_optics::bsdf::{Bsdf, BsdfSample};
 use vitrine_optics::{absorption, dispersion, phase, refract};
 
 /// From this vertex on, paths end by chance.
 const ROULETTE_FROM: u32 = 4;
-/// Light that would add less to a pixel than this is faint: a two hundredth of white.
-const FAINT: f32 = 0.005;
 /// The least chance to go on.
 const LEAST_CHANCE: f32 = 0.05;
 
@@ -48,26 +45,35 @@ pub struct Arrival<'a> {
     pub hit: Option<Hit>,
 }
 
-/// A vertex at which a path is scattered.
-struct Vertex<'a> {
-    p: Vec3,
-    /// The form's unit normal on the viewer's side; zero inside milky glass.
-    n: Vec3,
-    reach: f32,
-    wo: Vec3,
-    scattering: Scattering<'a>,
+/// A surface at which light is bent or scattered.
+struct Meeting<'a> {
+    spot: &'a Spot,
+    /// The solid whose surface it is, or [`AIR`].
+    solid: u16,
     sides: Sides,
+    arrival: &'a Arrival<'a>,
+}
+
+/// A vertex at which a path is scattered.
+pub struct Vertex<'a> {
+    pub p: Vec3,
+    /// The form's unit normal on the viewer's side; zero inside milky glass.
+    pub n: Vec3,
+    pub reach: f32,
+    pub wo: Vec3,
+    pub scattering: Scattering<'a>,
+    pub sides: Sides,
 }
 
 /// How light is scattered there.
-enum Scattering<'a> {
+pub enum Scattering<'a> {
     Surface { bsdf: &'a Bsdf, frame: Frame },
     Inside { anisotropy: f32 },
 }
 
 impl Scattering<'_> {
     /// f·|cos θ| and the density of that direction.
-    fn eval(&self, wo: Vec3, wi: Vec3) -> (Rgb, f32) {
+    pub fn eval(&self, wo: Vec3, wi: Vec3) -> (Rgb, f32) {
         match self {
             Self::Surface { bsdf, frame } => bsdf.eval(frame.local(wo), frame.local(wi)),
             Self::Inside { anisotropy } => {
@@ -80,7 +86,7 @@ impl Scattering<'_> {
 }
 
 impl Tools<'_, '_> {
-    fn solids(&self) -> &Solids {
+    pub fn solids(&self) -> &Solids {
         &self.task.scene.photoreal.solids
     }
 
@@ -118,9 +124,9 @@ impl Tools<'_, '_> {
             return;
         }
         if solid != AIR && material.is_clear {
-            self.bend(path, &spot, (solid, sides), arrival, &dressed);
+            self.bend(path, &Meeting { spot: &spot, solid, sides, arrival }, &dressed);
         } else {
-            self.scatter(path, &spot, (solid, sides), arrival, dressed);
+            self.scatter(path, &Meeting { spot: &spot, solid, sides, arrival }, &dressed);
         }
     }
 
@@ -221,8 +227,7 @@ impl Tools<'_, '_> {
         let top = path.media.top(self.solids());
         let sides = Sides { before: top, beyond: top, media: path.media };
         let scattering = Scattering::Inside { anisotropy };
-        let vertex =
-            Vertex { p, n: Vec3::ZERO, reach: p.abs().max_element(), wo: -d, scattering, sides };
+        let vertex = Vertex { p, n: Vec3::ZERO, reach: p.abs().max_element(), wo: -d, scattering, sides };
         self.gather(&path, &vertex);
         let (wi, pdf) = phase::sample_hg(-d, anisotropy, path.two(Draw::Direction));
         path.origin = Origin { x: p, n: Vec3::ZERO, pdf, wi, media: path.media };
@@ -286,14 +291,8 @@ impl Tools<'_, '_> {
     }
 
     /// At the clear surface of a solid: light is reflected or bent, never scattered.
-    fn bend(
-        &mut self,
-        mut path: Path,
-        spot: &Spot,
-        (solid, sides): (u16, Sides),
-        arrival: &Arrival,
-        dressed: &Dressed,
-    ) {
+    fn bend(&mut self, mut path: Path, meeting: &Meeting, dressed: &Dressed) {
+        let &Meeting { spot, solid, sides, arrival } = meeting;
         let [here, there] = self.indices(&mut path, &sides);
         let (wo, n, eta) = (-arrival.ray.direction, dressed.frame.z, there / here);
         let parting = if self.task.settings.unpolarised {
@@ -332,15 +331,9 @@ impl Tools<'_, '_> {
     }
 
     /// At any other surface: looks for light, then goes on in a direction that the surface chooses.
-    fn scatter(
-        &mut self,
-        mut path: Path,
-        spot: &Spot,
-        (solid, sides): (u16, Sides),
-        arrival: &Arrival,
-        dressed: Dressed,
-    ) {
-        let Dressed { frame, mut surface, .. } = dressed;
+    fn scatter(&mut self, mut path: Path, meeting: &Meeting, dressed: &Dressed) {
+        let &Meeting { spot, solid, sides, arrival } = meeting;
+        let &Dressed { frame, mut surface, .. } = dressed;
         if solid == AIR && surface.transmission > 0.0 {
             // What has no inside is a sheet, which tints as a whole.
             surface.thin_walled = true;
@@ -377,20 +370,14 @@ impl Tools<'_, '_> {
         if goes_through != sample.event.is_transmission {
             return;
         }
-        self.follow(&mut path, spot, (solid, sides), &sample, (wi, surface.eta));
+        self.follow(&mut path, meeting, &sample, (wi, surface.eta));
         let side = if goes_through { -spot.n } else { spot.n };
         self.go_on(path, Ray::new(offset_origin(spot.p, side, spot.reach), wi));
     }
 
     /// Updates a path that leaves a surface.
-    fn follow(
-        &mut self,
-        path: &mut Path,
-        spot: &Spot,
-        (solid, sides): (u16, Sides),
-        sample: &BsdfSample,
-        (wi, eta): (Vec3, f32),
-    ) {
+    fn follow(&self, path: &mut Path, meeting: &Meeting, sample: &BsdfSample, (wi, eta): (Vec3, f32)) {
+        let &Meeting { spot, solid, sides, .. } = meeting;
         path.beta = path.beta * sample.weight;
         if sample.event.is_transmission && solid != AIR {
             path.media = sides.media;
@@ -434,181 +421,4 @@ impl Tools<'_, '_> {
         self.next.rays.push(&ray);
         self.next.paths.push(path);
     }
-
-    /// Looks for light on purpose: one point of one light, and all ways from there.
-    fn gather(&mut self, path: &Path, vertex: &Vertex) {
-        let scene = self.task.scene;
-        let photoreal = &scene.photoreal;
-        let n = (vertex.n != Vec3::ZERO).then_some(vertex.n);
-        let (choice, at) = (path.one(Draw::Light), path.two(Draw::LightPoint));
-        let Some(sample) = photoreal.lights.sample(vertex.p, n, choice, at) else { return };
-        let x = double(vertex.p);
-        let (y, square) = match sample.at {
-            LightPoint::Point { position } | LightPoint::Surface { position, .. } => (double(position), 1.0),
-            LightPoint::Distant { toward } => {
-                (x + double(toward) * photoreal.far, photoreal.far * photoreal.far)
-            }
-        };
-        if photoreal.solids.clear().is_empty() {
-            self.offer_straight(path, vertex, &sample);
-            return;
-        }
-        let is_front = vertex.n == Vec3::ZERO || (y - x).dot(double(vertex.n)) > 0.0;
-        let media = if is_front { path.media } else { vertex.sides.media };
-        let (wavelength, response) = if path.wavelength == 0.0 && photoreal.has_dispersion {
-            dispersion::sample_wavelength(path.one(Draw::ConnectionWavelength))
-        } else {
-            (path.wavelength, Rgb::WHITE)
-        };
-        let ends = Ends { x, y, media, wavelength };
-        self.connector.connect(&photoreal.solids, &ends, None);
-        let found = std::mem::take(&mut self.connector.found);
-        for (number, connection) in found.iter().enumerate() {
-            let is_colored = connection.steps.all().iter().any(|s| {
-                [s.before, s.beyond]
-                    .iter()
-                    .any(|m| photoreal.solids.substance(*m).is_some_and(|m| m.is_dispersive))
-            });
-            let response = if is_colored { response } else { Rgb::WHITE };
-            self.offer(path, vertex, &sample, &Offer { connection, ends: &ends, square, response, is_front, number });
-        }
-        self.connector.found = found;
-    }
-
-    /// Adds the light that comes straight, where there is no glass to connect through.
-    #[inline]
-    fn offer_straight(&mut self, path: &Path, vertex: &Vertex, sample: &LightSample) {
-        let (wi, g, end) = match sample.at {
-            LightPoint::Distant { toward } => (toward, 1.0, None),
-            LightPoint::Point { position } | LightPoint::Surface { position, .. } => {
-                let way = position - vertex.p;
-                let square = way.length_squared();
-                let wi = way / square.sqrt();
-                (wi, cos_at(&sample.at, -wi) / square, Some(position))
-            }
-        };
-        let (f, pdf) = vertex.scattering.eval(vertex.wo, wi);
-        if !(g > 0.0) || f == Rgb::BLACK {
-            return;
-        }
-        let side = if wi.dot(vertex.n) < 0.0 { -vertex.n } else { vertex.n };
-        let media = if wi.dot(vertex.n) < 0.0 { vertex.sides.media } else { path.media };
-        let density = sample.pdf / g + if sample.is_delta { 0.0 } else { pdf };
-        let mut light = path.beta * f * sample.le / density;
-        let from = offset_origin(vertex.p, side, vertex.reach);
-        let solids = &self.task.scene.photoreal.solids;
-        let medium = if solids.is_empty() { AIR } else { media.top(solids) };
-        let to = end.unwrap_or_else(|| from + wi * self.task.scene.photoreal.far as f32);
-        if let Some(inside) = solids.substance(medium).filter(|s| !s.is_empty()) {
-            light = light
-                * absorption::transmittance(inside.absorption + inside.scattering, (to - from).length());
-        }
-        if let Some(light) = worth_tracing(light, || path.one_of(Draw::Faint, 0)) {
-            self.shadows.expect(path.pixel, light);
-            self.shadows.leg(from, beside(&sample.at, to, -wi), medium);
-        }
-    }
-
-    /// Adds the light of one connection, if nothing stands in its way.
-    fn offer(&mut self, path: &Path, vertex: &Vertex, sample: &LightSample, offer: &Offer) {
-        let Offer { connection, ends, square, response, is_front, number } = *offer;
-        let wi = connection.wx.as_vec3();
-        let leaves_front = vertex.n == Vec3::ZERO || wi.dot(vertex.n) > 0.0;
-        if leaves_front != is_front {
-            return;
-        }
-        let (f, pdf) = vertex.scattering.eval(vertex.wo, wi);
-        if f == Rgb::BLACK {
-            return;
-        }
-        let cos = cos_at(&sample.at, connection.wy.as_vec3());
-        let g = (connection.spread * square) as f32 * cos;
-        if g <= 0.0 {
-            return;
-        }
-        // f·τ·L_e·G/p_A, and with the balance heuristic f·τ·L_e/(p_A/G + p_bsdf), which stays finite at caustics.
-        let density = sample.pdf / g + if sample.is_delta { 0.0 } else { pdf };
-        let solids = self.solids();
-        let tau = super::connect::transmittance(self.task, solids, connection, ends);
-        let light = path.beta * response * f * tau * sample.le / density;
-        let Some(light) = worth_tracing(light, || path.one_of(Draw::Faint, number)) else { return };
-        self.shadows.expect(path.pixel, light);
-        self.add_legs(vertex, sample, connection, ends);
-    }
-
-    /// The straight parts of a connection.
-    fn add_legs(&mut self, vertex: &Vertex, sample: &LightSample, connection: &Connection, ends: &Ends) {
-        let steps = connection.steps.all();
-        let wi = connection.wx.as_vec3();
-        let side = if wi.dot(vertex.n) < 0.0 { -vertex.n } else { vertex.n };
-        let mut from = offset_origin(vertex.p, side, vertex.reach);
-        let mut medium = ends.media.top(self.solids());
-        let mut d = connection.wx;
-        for (k, step) in steps.iter().enumerate() {
-            let v = connection.vertices[k];
-            // The side of the face from which the light's way comes.
-            let near = if step.n.dot(d) < 0.0 { step.n } else { -step.n };
-            let (p, near) = (v.as_vec3(), near.as_vec3());
-            let reach = p.abs().max_element();
-            self.shadows.leg(from, offset_origin(p, near, reach), medium);
-            let leaving = if step.reflects { near } else { -near };
-            from = offset_origin(p, leaving, reach);
-            medium = step.after();
-            let next = connection.vertices.get(k + 1).filter(|_| k + 1 < steps.len()).unwrap_or(&ends.y);
-            d = (*next - v).normalize_or(DVec3::X);
-        }
-        let to = beside(&sample.at, ends.y.as_vec3(), connection.wy.as_vec3());
-        self.shadows.leg(from, to, medium);
-    }
 }
-
-/// The cosine between the way of light and the normal where it comes from; 1 where there is no surface.
-#[inline]
-fn cos_at(at: &LightPoint, wy: Vec3) -> f32 {
-    match at {
-        LightPoint::Surface { n, is_two_sided, .. } => {
-            let cos = wy.dot(*n);
-            if *is_two_sided { cos.abs() } else { cos.max(0.0) }
-        }
-        LightPoint::Point { .. } | LightPoint::Distant { .. } => 1.0,
-    }
-}
-
-/// The point where light comes from, a little beside its surface.
-#[inline]
-fn beside(at: &LightPoint, y: Vec3, wy: Vec3) -> Vec3 {
-    match at {
-        LightPoint::Surface { n, .. } => {
-            offset_origin(y, if wy.dot(*n) < 0.0 { -*n } else { *n }, y.abs().max_element())
-        }
-        LightPoint::Point { .. } | LightPoint::Distant { .. } => y,
-    }
-}
-
-/// A connection that may bring light.
-struct Offer<'a> {
-    connection: &'a Connection,
-    ends: &'a Ends,
-    /// What turns square metres into steradians for what is infinitely far; else 1.
-    square: f64,
-    /// The colour of the wavelength.
-    response: Rgb,
-    /// Whether the light comes from the viewer's side.
-    is_front: bool,
-    /// Which of the connections it is.
-    number: usize,
-}
-
-/// Light that is worth its shadow rays: faint light is followed only sometimes, and counts for more then.
-#[inline]
-fn worth_tracing(light: Rgb, chance: impl FnOnce() -> f32) -> Option<Rgb> {
-    let largest = light.r.abs().max(light.g.abs()).max(light.b.abs());
-    if !(largest > 0.0 && largest.is_finite()) {
-        return None;
-    }
-    if largest >= FAINT {
-        return Some(light);
-    }
-    (chance() * FAINT < largest).then(|| light * (FAINT / largest))
-}
-

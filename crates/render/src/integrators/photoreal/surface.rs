@@ -37,7 +37,7 @@ pub fn dress(scene: &CompiledScene, material: &CompiledPhysical, spot: &Spot, ar
             surface.transmission_tint = color;
         }
     }
-    surface.base_color = surface.base_color * scale(set.base_weight);
+    surface.base_color *= scale(set.base_weight);
     surface.metalness *= scale(set.metalness);
     surface.roughness *= scale(set.roughness);
     surface.specular_weight *= scale(set.specular);

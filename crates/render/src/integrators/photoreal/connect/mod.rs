@@ -177,8 +177,7 @@ impl Connector {
                 for _ in 0..echoes {
                     // Off the far face and off the near one, from inside.
                     let back = Step { reflects: true, ..leave };
-                    let forth =
-                        Step { reflects: true, before: enter.beyond, beyond: enter.before, ..enter };
+                    let forth = Step { reflects: true, before: enter.beyond, beyond: enter.before, ..enter };
                     fits &= longer.push(back) && longer.push(forth);
                 }
                 fits &= all[at..].iter().all(|s| longer.push(*s));
@@ -229,15 +228,8 @@ impl Connector {
         if sides.before == sides.beyond || sides.before != ends.media.top(solids) {
             return;
         }
-        let step = Step {
-            solid,
-            face,
-            reflects: true,
-            n,
-            before: sides.before,
-            beyond: sides.beyond,
-            offset,
-        };
+        let step =
+            Step { solid, face, reflects: true, n, before: sides.before, beyond: sides.beyond, offset };
         let mut steps = Steps::default();
         steps.push(step);
         if search.wants(&steps.chain()) {

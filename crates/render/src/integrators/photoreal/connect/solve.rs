@@ -18,11 +18,7 @@ pub fn flat(search: &Search, steps: &Steps) -> Option<Connection> {
     let all = steps.all();
     let n = all.first()?.n;
     let is_parallel = all.iter().all(|s| 1.0 - s.n.dot(n).abs() < PARALLEL);
-    let connection = if is_parallel {
-        parallel(search, steps, n)?
-    } else {
-        slanted(search, steps)?
-    };
+    let connection = if is_parallel { parallel(search, steps, n)? } else { slanted(search, steps)? };
     let is_inside = all.iter().zip(&connection.vertices).all(|(s, v)| is_on_face(search, s, *v));
     is_inside.then_some(connection)
 }
