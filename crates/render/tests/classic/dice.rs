@@ -205,7 +205,10 @@ fn check(seed: u32, wild: Wild, objects: usize) -> bool {
     let options = || RenderOptions { settings: scene.settings.clone(), region: None };
     let picture = run(&compiled, options(), 1).film.image();
     for p in &picture.pixels {
-        assert!(p.is_finite() && p.to_array().iter().all(|c| *c >= 0.0), "{p:?} in {scene:#?}");
+        // A single wavelength has colours beyond those of displays: less than nothing of some channel.
+        let is_sane = scene.settings.renderer == vitrine_scene::Renderer::Photoreal
+            || p.to_array().iter().all(|c| *c >= 0.0);
+        assert!(p.is_finite() && is_sane, "{p:?} in {scene:#?}");
     }
     let again = run(&compiled.with_instructions(Instructions::Portable), options(), 1).film.image();
     assert!(bits(&picture) == bits(&again), "instructions matter in {scene:#?}");

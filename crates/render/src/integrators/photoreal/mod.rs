@@ -23,7 +23,7 @@ use crate::samplers::{PathSampler, filter};
 use crate::surface::Spots;
 use connect::Connector;
 use path::Path;
-use shadow::Shadows;
+use shadow::{Shadows, is_traceable};
 use vitrine_film::{Features, TileSums};
 use vitrine_math::Rgb;
 
@@ -109,6 +109,9 @@ impl Paths {
             let [dx, dy] = filter::offset(sampler.two(0));
             let at = [x as f32 + 0.5 + dx, y as f32 + 0.5 + dy];
             let ray = scene.camera.ray(at, settings.size, sampler.two(1));
+            if !is_traceable(ray.origin, ray.direction) {
+                continue;
+            }
             self.now.rays.push(&ray);
             self.now.paths.push(Path::new(pixel as u32, sampler, scene.photoreal.camera_media));
         }

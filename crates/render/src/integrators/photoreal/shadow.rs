@@ -49,9 +49,13 @@ impl Shadows {
         let way = to - from;
         let length = way.length();
         // Between surfaces that touch there is nothing.
-        if length > 0.0 {
+        if length > 0.0 && is_traceable(from, way / length) {
             self.rays.push(&Ray { origin: from, direction: way / length, t_max: length });
             self.legs.push(Leg { ticket: self.tickets.len() as u32 - 1, medium });
+        } else if length != 0.0
+            && let Some(ticket) = self.tickets.last_mut()
+        {
+            ticket.light = Rgb::BLACK;
         }
     }
 
@@ -108,6 +112,12 @@ impl Shadows {
         }
         count
     }
+}
+
+/// Whether a ray can be traced: in scenes whose numbers are at the limit of floats some have no place or no direction.
+#[inline]
+pub fn is_traceable(origin: Vec3, direction: Vec3) -> bool {
+    origin.is_finite() && (0.5..2.0).contains(&direction.length_squared())
 }
 
 /// The share of light that goes straight on through a surface.

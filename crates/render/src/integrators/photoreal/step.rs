@@ -7,7 +7,7 @@ use super::light::{Shining, chance_weight};
 use super::media::Sides;
 use super::path::{Draw, Origin, Path};
 use super::polarisation::Polarisation;
-use super::shadow::Shadows;
+use super::shadow::{Shadows, is_traceable};
 use super::surface::{Dressed, dress};
 use crate::accel::{Hit, HitStream, RayStream};
 use crate::compile::{AIR, Solids};
@@ -408,7 +408,8 @@ impl Tools<'_, '_> {
         path.start_t = 0.0;
         let beta = path.beta.to_array();
         let largest = beta.iter().fold(0.0_f32, |a, b| a.max(b.abs())) * path.condensed;
-        if !(largest > 0.0 && largest.is_finite()) {
+        let is_followed = largest > 0.0 && largest.is_finite();
+        if !is_followed || !is_traceable(ray.origin, ray.direction) {
             return;
         }
         if path.bounce >= ROULETTE_FROM && largest < 1.0 {
