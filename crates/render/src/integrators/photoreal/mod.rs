@@ -29,6 +29,9 @@ use vitrine_math::Rgb;
 
 pub use media::Media as CompiledMedia;
 
+/// Samples as bright as this would be no number once many are summed up, and are left out as such.
+const BRIGHTEST: f32 = 1e30;
+
 /// The tools of one thread.
 #[derive(Debug, Default)]
 pub struct Paths {
@@ -86,7 +89,7 @@ impl Paths {
     fn take_sample(&mut self) -> u64 {
         let mut bad = 0;
         for (pixel, light) in self.light.iter().enumerate() {
-            if light.is_finite() {
+            if light.to_array().iter().all(|c| c.abs() < BRIGHTEST) {
                 self.sums[self.order.number(pixel)] += *light;
             } else {
                 bad += 1;

@@ -114,10 +114,13 @@ impl Shadows {
     }
 }
 
+/// No ray starts farther out, metres: beyond it there is nothing but planes.
+const FARTHEST_ORIGIN: f32 = 1e18;
+
 /// Whether a ray can be traced: in scenes whose numbers are at the limit of floats some have no place or no direction.
 #[inline]
 pub fn is_traceable(origin: Vec3, direction: Vec3) -> bool {
-    origin.is_finite() && (0.5..2.0).contains(&direction.length_squared())
+    origin.abs().max_element() < FARTHEST_ORIGIN && (0.5..2.0).contains(&direction.length_squared())
 }
 
 /// The share of light that goes straight on through a surface.
