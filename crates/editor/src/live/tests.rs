@@ -7,8 +7,8 @@ use vitrine::film::Display;
 use vitrine::math::{Rgb, Vec3};
 use vitrine::scene::lights::{Disc, LightSource};
 use vitrine::scene::shapes::{Plane, Sphere};
-use vitrine::scene::{Light, Material, Object, Settings, Shape};
-use vitrine::{Cancel, RenderJob, RenderOptions};
+use vitrine::scene::{Light, Material, Object, Renderer, Settings, Shape};
+use vitrine::{Cancel, RenderJob, RenderOptions, display_of};
 
 /// No test waits longer than that; none comes near it.
 const LIMIT: Duration = Duration::from_secs(60);
@@ -103,6 +103,49 @@ fn the_picture_refines_and_ends() {
     let film = job.run(1, &Cancel::default(), &mut |_| {}).film;
     assert!(last.rgba == picture::shown(&film, &Display::default(), None));
     bell.wait(|| (!live.status().is_busy).then_some(()));
+}
+
+#[test]
+fn a_photoreal_picture_refines_past_what_ends_a_finished_one_and_is_shown_as_the_settings_say() {
+    let bell = Bell::default();
+    let mut live = Live::new(bell.wake());
+    let mut scene = scene([40, 30], 3);
+    let settings = &mut scene.settings;
+    settings.renderer = Renderer::Photoreal;
+    (settings.noise, settings.time_limit) = (0.9, 0.001);
+    (settings.exposure, settings.white_balance) = (1.0, 4000.0);
+    live.show(Request { size: [40, 30], ..request(&scene, 1) });
+    let mut told = Vec::new();
+    let last = bell.wait(|| {
+        told.extend(live.status().samples);
+        live.picture().filter(|p| p.is_final)
+    });
+    assert_eq!((last.samples, last.size), (256, [40, 30]));
+    assert!(told.is_sorted() && told.iter().all(|[done, all]| done <= all && *all == 256), "{told:?}");
+    bell.wait(|| (!live.status().is_busy).then_some(()));
+    assert_eq!(live.status().samples, Some([256, 256]));
+    let compiled = compile(&scene, &Assets::default()).unwrap();
+    let display = display_of(&scene.settings);
+    let settings = Settings { samples: 256, noise: 0.0, time_limit: 0.0, ..scene.settings };
+    let job = RenderJob::new(&compiled, RenderOptions { settings, region: None }).unwrap();
+    let film = job.run(1, &Cancel::default(), &mut |_| {}).film;
+    assert!(last.rgba == picture::shown(&film, &display, None));
+    assert!(last.rgba != picture::shown(&film, &Display::default(), None));
+}
+
+#[test]
+fn an_edit_makes_a_photoreal_picture_begin_again() {
+    let bell = Bell::default();
+    let mut live = Live::new(bell.wake());
+    let mut scene = scene([160, 120], 60_000);
+    scene.settings.renderer = Renderer::Photoreal;
+    live.show(request(&scene, 1));
+    bell.wait(|| live.picture().filter(|p| p.samples >= 4));
+    scene.objects[0].position = Vec3::new(0.5, 1.0, 0.0);
+    live.show(request(&scene, 2));
+    let first = bell.wait(|| live.picture().filter(|p| p.generation == 2));
+    assert!(first.samples < 4, "{}", first.samples);
+    bell.wait(|| live.picture().filter(|p| p.generation == 2 && p.samples >= 4));
 }
 
 #[test]
