@@ -113,7 +113,10 @@ impl Editor {
             FinalState::Done => {
                 Progress { text: tr!("status-done", elapsed = time_text(status.elapsed)), share: None }
             }
-            FinalState::Idle if status.is_busy && let Some([samples, all]) = status.samples => {
+            FinalState::Idle
+                if status.is_busy
+                    && let Some([samples, all]) = status.samples =>
+            {
                 let share = Some(samples as f32 / all.max(1) as f32);
                 Progress { text: tr!("status-samples", samples = samples, all = all), share }
             }

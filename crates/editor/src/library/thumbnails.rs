@@ -195,7 +195,8 @@ mod tests {
         let small = ThumbnailImage::of_image(&image, &Display::default(), [100, 100]);
         assert_eq!(small.size, [100, 50]);
         assert_eq!((small.rgba[0], small.rgba[small.rgba.len() - 4]), (255, 0));
-        let tiny = ThumbnailImage::of_image(&Image::filled([3, 900], Rgb::WHITE), &Display::default(), [100, 100]);
+        let tiny =
+            ThumbnailImage::of_image(&Image::filled([3, 900], Rgb::WHITE), &Display::default(), [100, 100]);
         assert_eq!(tiny.size, [1, 100]);
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.png");

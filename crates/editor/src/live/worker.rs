@@ -78,7 +78,8 @@ impl Worker {
     fn passes(&self, task: &LiveTask) -> (Vec<Pass>, Option<Arc<Picture>>) {
         let request = &*task.request;
         let (size, is_dragging) = (request.size, request.is_dragging || self.is_synchronous);
-        let shrink = if self.is_synchronous { 1 } else { self.pace.shrink(size, request.scene.settings.renderer) };
+        let shrink =
+            if self.is_synchronous { 1 } else { self.pace.shrink(size, request.scene.settings.renderer) };
         let all = passes(&View { scene: &request.scene, size, is_dragging, shrink });
         let shown = self.shared.state().picture.clone();
         let is_same =

@@ -10,7 +10,7 @@ use vitrine_editor::action::Action;
 use vitrine_editor::document::Thing;
 use vitrine_editor::files::Config;
 use vitrine_editor::live::FinalState;
-use vitrine_editor::text::Language;
+use vitrine_editor::text::{Language, text_of};
 use vitrine_editor::{Editor, Pace, WINDOW_SIZE, window_builder};
 
 #[test]
@@ -21,6 +21,60 @@ fn c9_the_renderer_is_switched_in_the_line_at_the_bottom() {
     assert_eq!(person.scene().settings.renderer, Renderer::Cast);
     must_be_seen(&mut person, |person| person.click("Classic"));
     assert_eq!(person.scene().settings.renderer, Renderer::Classic);
+}
+
+#[test]
+fn photoreal_is_switched_on_in_both_languages_and_refines_while_one_looks() {
+    for (language, word, all) in [
+        (Language::English, "Photoreal", ["Classic", "Ray casting", "Photoreal"]),
+        (Language::Russian, "Фотореалистичный", ["Классический", "Бросание лучей", "Фотореалистичный"]),
+    ] {
+        let config = Config { language, ..Config::default() };
+        let mut person = Person::at_pace(tempfile::tempdir().unwrap(), &config, Pace::Threads);
+        person.ask(Action::NewFrom("empty".into()));
+        assert!(all.iter().all(|name| person.sees(name)), "{:?}", person.names());
+        person.control(word).click();
+        let samples = |e: &Editor| {
+            let is_photoreal = e.document().scene().settings.renderer == Renderer::Photoreal;
+            let picture = e.live().picture().filter(|p| is_photoreal && p.passes > 5);
+            picture.map_or(0, |p| p.samples)
+        };
+        person.until_seen("the first sample", |e| samples(e) >= 1);
+        let first = person.picture();
+        person.until_seen("more of them", |e| samples(e) >= 4);
+        assert_ne!(person.picture(), first);
+        let told = text_of("status-samples", &[("samples", "".into()), ("all", "".into())]);
+        let told = told.split(':').next().unwrap().to_owned();
+        assert!(person.reads(&told), "{:?}", person.names());
+    }
+}
+
+#[test]
+fn a_photoreal_picture_is_saved_with_the_samples_asked_for() {
+    let mut person = in_english();
+    person.use_tool("Sphere");
+    let mut save = |renderer: &str, samples: &str| {
+        let path = person.path(&format!("{renderer} {samples}.png"));
+        person.press(Key::P, Modifiers::COMMAND);
+        if person.sees("Render now") {
+            person.pick("Picture", "Render now");
+        }
+        person.type_into("File", &path.display().to_string());
+        person.type_into("Width", "80");
+        person.type_into("Quality (samples)", samples);
+        person.pick("Renderer", renderer);
+        person.click("Render and save");
+        person.until("the file", |_| path.is_file());
+        person.settle();
+        image::open(&path).unwrap().to_rgb8()
+    };
+    let rough = save("Photoreal", "1");
+    assert_eq!(rough.dimensions(), (80, 60));
+    let (fine, classic) = (save("Photoreal", "64"), save("Classic", "64"));
+    let apart = |a: &image::RgbImage, b: &image::RgbImage| {
+        a.iter().zip(b.iter()).map(|(a, b)| u64::from(a.abs_diff(*b))).sum::<u64>()
+    };
+    assert!(apart(&fine, &classic) > 0 && apart(&rough, &fine) > 0);
 }
 
 #[test]
