@@ -2,7 +2,7 @@
 status-live = Live picture
 status-pass = Pass { $pass } of { $passes }
 status-samples = Samples: { $samples } of { $all }
-status-live-samples = Live picture, samples: { $samples }
+status-live-samples = Samples: { $samples }
 status-drawing = Drawing…
 status-final = Rendering { $percent } %, { $left } left
 status-final-starting = Rendering { $percent } %

@@ -2,7 +2,7 @@
 status-live = Живая картинка
 status-pass = Проход { $pass } из { $passes }
 status-samples = Отсчёты: { $samples } из { $all }
-status-live-samples = Живая картинка, отсчёты: { $samples }
+status-live-samples = Отсчёты: { $samples }
 status-drawing = Рисую…
 status-final = Рендер { $percent } %, осталось { $left }
 status-final-starting = Рендер { $percent } %
