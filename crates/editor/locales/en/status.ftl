@@ -1,6 +1,8 @@
 # The line at the bottom of the window.
 status-live = Live picture
 status-pass = Pass { $pass } of { $passes }
+status-samples = Samples: { $samples } of { $all }
+status-live-samples = Samples: { $samples }
 status-drawing = Drawing…
 status-final = Rendering { $percent } %, { $left } left
 status-final-starting = Rendering { $percent } %

@@ -6,7 +6,7 @@ use crate::doctor::{self, Brightness};
 use crate::document::Document;
 use crate::live::Picture;
 use std::sync::Arc;
-use vitrine::scene::Severity;
+use vitrine::scene::{Renderer, Severity};
 
 /// What has been found.
 #[derive(Default)]
@@ -14,15 +14,17 @@ pub struct Doctor {
     /// What is wrong, the gravest first, in the current language.
     pub lines: Vec<ProblemLine>,
     /// For which state of the scene and which picture that was found.
-    looked_at: Option<(u64, Option<u64>, crate::text::Language)>,
+    looked_at: Option<(u64, Option<[u64; 2]>, crate::text::Language)>,
 }
 
 impl Doctor {
     /// Looks again if the scene or its picture is another.
     pub fn look(&mut self, document: &Document, picture: Option<&Arc<Picture>>) {
-        // A coarse picture is as bright as a fine one: the first of each scene is enough.
-        let generation = picture.map(|p| p.generation);
-        let now = (document.revision(), generation, crate::text::language());
+        let is_photoreal = document.scene().settings.renderer == Renderer::Photoreal;
+        // A coarse picture is as bright as a fine one: the first of each scene is enough. A photoreal one may be black at first
+        // where light comes seldom.
+        let seen = picture.map(|p| [p.generation, if is_photoreal { p.pass.into() } else { 0 }]);
+        let now = (document.revision(), seen, crate::text::language());
         if self.looked_at == Some(now) {
             return;
         }

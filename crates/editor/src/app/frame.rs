@@ -113,11 +113,21 @@ impl Editor {
             FinalState::Done => {
                 Progress { text: tr!("status-done", elapsed = time_text(status.elapsed)), share: None }
             }
+            FinalState::Idle
+                if status.is_busy
+                    && let Some([samples, all]) = status.samples =>
+            {
+                let share = Some(samples as f32 / all.max(1) as f32);
+                Progress { text: tr!("status-samples", samples = samples, all = all), share }
+            }
             FinalState::Idle if status.is_busy && status.pass > 0 => {
                 busy(tr!("status-pass", pass = status.pass, passes = status.passes))
             }
             FinalState::Idle if status.is_busy => busy(tr!("status-drawing")),
-            FinalState::Idle => Progress { text: tr!("status-live"), share: None },
+            FinalState::Idle => {
+                let finished = |[samples, _]: [u32; 2]| tr!("status-live-samples", samples = samples);
+                Progress { text: status.samples.map_or_else(|| tr!("status-live"), finished), share: None }
+            }
         }
     }
 

@@ -9,9 +9,10 @@ use crate::text::tr;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
+use vitrine::denoise::{DenoiseError, Denoiser, Quality};
 use vitrine::formats::{self, FormatError};
-use vitrine::scene::Scene;
-use vitrine::{SceneHash, metadata_of};
+use vitrine::scene::{Renderer, Scene};
+use vitrine::{Image, SceneHash, metadata_of};
 
 /// Fewer samples a pixel tell little of how long many will take.
 const SAMPLES_THAT_TELL: u32 = 4;
@@ -22,11 +23,18 @@ pub struct PictureSaver {
     /// Wanted as soon as its render is complete, with the metadata of the scene as it was.
     waiting: Option<(SavePictureRequest, Vec<(String, String)>)>,
     /// Being written.
-    writing: Option<Task<Result<PathBuf, FormatError>>>,
-    /// Samples of pixels in a second, as the last final render went.
-    rate: Option<f64>,
+    writing: Option<Task<Result<Written, FormatError>>>,
+    /// Samples of pixels in a second, as the last final render went, and of which renderer.
+    rate: Option<(Renderer, f64)>,
     /// How many pictures have been saved.
     saved: usize,
+}
+
+/// A picture that has been written.
+struct Written {
+    path: PathBuf,
+    /// Why the noise is still in it although the scene wants it out.
+    noisy: Option<DenoiseError>,
 }
 
 impl PictureSaver {
@@ -46,8 +54,17 @@ impl PictureSaver {
             metadata.push(("vitrine:complete".into(), "false".into()));
         }
         self.writing = Some(Task::spawn(wake, move || {
+            let (light, noisy) = match clean(&image) {
+                Some(Ok((light, by))) => {
+                    metadata.push(("vitrine:denoised".into(), by));
+                    (light, None)
+                }
+                Some(Err(error)) => (image.image(), Some(error)),
+                None => (image.image(), None),
+            };
             let options = request.write_options(metadata);
-            formats::write_image(&request.path, &image.image(), &options).map(|()| request.path)
+            formats::write_image(&request.path, &light, &options)?;
+            Ok(Written { path: request.path, noisy })
         }));
     }
 }
@@ -95,14 +112,15 @@ impl Editor {
         self.live.start_final(wanted);
     }
 
-    /// Samples of pixels that the renderer makes in a second: as the last final render went, else as the live picture goes; None
-    /// before there is either.
-    pub(super) fn samples_per_second(&self) -> Option<f64> {
-        self.picture.rate.or_else(|| {
+    /// Samples of pixels that the scene's renderer makes in a second: as its last final render went, else as the live picture
+    /// goes; None before there is either.
+    pub(super) fn samples_per_second(&self) -> Option<(Renderer, f64)> {
+        let renderer = self.document.scene().settings.renderer;
+        self.picture.rate.filter(|(of, _)| *of == renderer).or_else(|| {
             let picture = self.live.picture().filter(|p| p.samples >= SAMPLES_THAT_TELL)?;
             let samples =
                 f64::from(picture.samples) * f64::from(picture.size[0]) * f64::from(picture.size[1]);
-            (picture.elapsed > Duration::ZERO).then(|| samples / picture.elapsed.as_secs_f64())
+            (picture.elapsed > Duration::ZERO).then(|| (renderer, samples / picture.elapsed.as_secs_f64()))
         })
     }
 
@@ -111,10 +129,13 @@ impl Editor {
         let state = self.live.final_state();
         if state == FinalState::Done {
             let status = self.live.status();
-            if status.elapsed > Duration::ZERO && status.samples_total > 0 {
-                self.picture.rate = Some(status.samples_total as f64 / status.elapsed.as_secs_f64());
+            let image = self.live.final_image();
+            if let Some(image) = image.as_ref().filter(|_| status.elapsed > Duration::ZERO) {
+                // It may have ended before all samples were there.
+                let samples = image.film.samples() as f64;
+                self.picture.rate = Some((image.settings().renderer, samples / status.elapsed.as_secs_f64()));
             }
-            if let (Some(waiting), Some(image)) = (self.picture.waiting.take(), self.live.final_image()) {
+            if let (Some(waiting), Some(image)) = (self.picture.waiting.take(), image) {
                 self.picture.write(image, waiting, self.wake.clone());
             }
         }
@@ -126,9 +147,15 @@ impl Editor {
         let Some(task) = &mut self.picture.writing else { return };
         match task.poll() {
             TaskState::Running => return,
-            TaskState::Done(Ok(path)) => {
+            TaskState::Done(Ok(Written { path, noisy })) => {
                 self.picture.saved += 1;
                 self.notices.success(tr!("app-picture-saved", path = path.display().to_string()));
+                if let Some(error) = noisy {
+                    self.notices.error(match error {
+                        DenoiseError::NotFound { .. } => tr!("app-picture-no-denoiser"),
+                        error => tr!("app-picture-noisy", error = error.to_string()),
+                    });
+                }
             }
             TaskState::Done(Err(error)) => {
                 self.dialog =
@@ -147,8 +174,40 @@ impl Editor {
     }
 }
 
+/// A complete picture without its noise and by what that was taken out, where its scene asks for it.
+fn clean(image: &FinalImage) -> Option<Result<(Image, String), DenoiseError>> {
+    let settings = image.settings();
+    let is_wanted = settings.denoise && settings.renderer == Renderer::Photoreal && image.is_complete;
+    let run = |denoiser: Denoiser| {
+        let light = denoiser.run_film(&image.film, Quality::High)?;
+        Ok((light, format!("Open Image Denoise {}", denoiser.version())))
+    };
+    is_wanted.then(|| Denoiser::find(None).and_then(run))
+}
+
 fn metadata(document: &Document, request: &SavePictureRequest) -> Vec<(String, String)> {
     let hash = SceneHash::of(&document.text());
     let name = document.title().unwrap_or_default();
     metadata_of(&name, &document.scene().about, hash, &request.settings)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use vitrine::Region;
+    use vitrine::film::Film;
+    use vitrine::scene::Settings;
+
+    #[test]
+    fn the_noise_is_taken_out_of_complete_photoreal_pictures_that_ask_for_it() {
+        let asks = |renderer, denoise, is_complete| {
+            let settings = Settings { renderer, denoise, ..Settings::default() };
+            let scene = Arc::new(Scene { settings, ..Scene::default() });
+            clean(&FinalImage { film: Film::new(Region::whole([8, 8])), is_complete, scene }).is_some()
+        };
+        assert!(asks(Renderer::Photoreal, true, true));
+        assert!(!asks(Renderer::Photoreal, true, false));
+        assert!(!asks(Renderer::Photoreal, false, true));
+        assert!(!asks(Renderer::Classic, true, true));
+    }
 }

@@ -36,6 +36,7 @@ use crate::files::Config;
 use crate::widgets::new_gesture;
 use eframe::egui::Context;
 use std::path::Path;
+use vitrine::scene::Renderer;
 
 /// The dialog that is open.
 #[derive(Debug)]
@@ -73,8 +74,8 @@ pub struct Around<'a> {
     pub config: &'a Config,
     /// What is wrong with the scene and with its picture, for the list of problems.
     pub problems: &'a [ProblemLine],
-    /// Samples of pixels that the renderer makes in a second, for estimates; None when nobody knows.
-    pub samples_per_second: Option<f64>,
+    /// Samples of pixels that a renderer makes in a second, for estimates; None when nobody knows.
+    pub samples_per_second: Option<(Renderer, f64)>,
     /// The final render as far as it has come.
     pub current: Option<CurrentPicture>,
 }

@@ -7,7 +7,7 @@ use std::fmt;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 use vitrine::render::{CompileOptions, CompiledScene, compile_with};
-use vitrine::scene::{Assets, Scene};
+use vitrine::scene::{Assets, Renderer, Scene};
 use vitrine::{Cancel, RenderJob, RenderOptions, display_of};
 
 /// A picture, and the compiled scene, whose trees the next one takes over.
@@ -35,7 +35,9 @@ impl Preview {
     pub fn ui(&mut self, ui: &mut Ui, mut scene: Scene, assets: &Arc<Assets>, size: Vec2) -> Response {
         let pixels = size * ui.ctx().pixels_per_point();
         scene.settings.size = [pixels.x.max(1.0) as u32, pixels.y.max(1.0) as u32];
-        scene.settings.samples = 4;
+        // Light that is chosen by chance needs more to be seen as what it is.
+        scene.settings.samples = if scene.settings.renderer == Renderer::Photoreal { 32 } else { 4 };
+        (scene.settings.noise, scene.settings.time_limit) = (0.0, 0.0);
         scene.settings.shadow_points = scene.settings.shadow_points.min(16);
         self.receive(ui);
         if self.making.is_none() && self.asked.as_ref() != Some(&scene) {

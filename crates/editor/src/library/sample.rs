@@ -6,9 +6,9 @@ use crate::document::Paint;
 use std::path::Path;
 use std::sync::{Arc, OnceLock};
 use vitrine::formats::SceneFile;
-use vitrine::scene::{Assets, Picture, Scene, Settings};
+use vitrine::scene::{Assets, Picture, Renderer, Scene, Settings};
 use vitrine::templates::Template;
-use vitrine::{Cancel, RenderJob, RenderOptions};
+use vitrine::{Cancel, RenderJob, RenderOptions, display_of};
 
 /// How much care is taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,15 +48,18 @@ pub(super) fn of_template(name: &str, care: Care) -> Option<ThumbnailImage> {
     let mut assets = Assets::default();
     add_carried(&mut assets, &scene);
     // A small picture needs no more.
-    let (size, samples) = match care {
-        Care::Fine => ([240, 180], 3),
-        Care::Quick => ([120, 90], 1),
+    let (size, samples) = match (care, scene.settings.renderer) {
+        (Care::Fine, Renderer::Photoreal) => ([240, 180], 32),
+        (Care::Fine, _) => ([240, 180], 3),
+        (Care::Quick, _) => ([120, 90], 1),
     };
     scene.settings = Settings {
         size,
         samples,
         depth: scene.settings.depth.min(3),
         shadow_points: scene.settings.shadow_points.min(16),
+        noise: 0.0,
+        time_limit: 0.0,
         ..scene.settings
     };
     render(&scene, &assets)
@@ -73,7 +76,8 @@ fn render(scene: &Scene, assets: &Assets) -> Option<ThumbnailImage> {
     let options = RenderOptions { settings: scene.settings.clone(), region: None };
     // One thread: what a person looks at has the others.
     let rendered = RenderJob::new(&compiled, options).ok()?.run(1, &Cancel::default(), &mut |_| {});
-    Some(ThumbnailImage::of_image(&rendered.film.image(), scene.settings.size))
+    let display = display_of(&scene.settings);
+    Some(ThumbnailImage::of_image(&rendered.film.image(), &display, scene.settings.size))
 }
 
 #[cfg(test)]

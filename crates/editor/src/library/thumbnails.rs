@@ -26,9 +26,9 @@ pub struct ThumbnailImage {
 
 impl ThumbnailImage {
     /// A rendered picture made so small that it fits into a width and height; each pixel is the mean of those that it stands
-    /// for.
+    /// for. `display` says how its light is shown.
     #[must_use]
-    pub fn of_image(image: &Image, within: [u32; 2]) -> Self {
+    pub fn of_image(image: &Image, display: &Display, within: [u32; 2]) -> Self {
         let [width, height] = image.size;
         let shrink = (within[0] as f32 / width as f32).min(within[1] as f32 / height as f32).min(1.0);
         let size = image.size.map(|n| ((n as f32 * shrink) as u32).max(1));
@@ -41,7 +41,7 @@ impl ThumbnailImage {
             let sum = y.flat_map(|y| x.clone().map(move |x| image.pixel(x, y)));
             *pixel = sum.fold(Rgb::BLACK, |a, b| a + b) / count;
         }
-        let rgb = Display::default().to_u8(&small);
+        let rgb = display.to_u8(&small);
         let rgba = rgb.as_chunks::<3>().0.iter().flat_map(|[r, g, b]| [*r, *g, *b, u8::MAX]).collect();
         Self { size: size.map(|n| n as usize), rgba }
     }
@@ -192,10 +192,11 @@ mod tests {
     fn a_picture_is_made_small_in_its_own_proportions_and_survives_a_file() {
         let mut image = Image::filled([400, 200], Rgb::BLACK);
         image.pixels[..400 * 100].fill(Rgb::WHITE);
-        let small = ThumbnailImage::of_image(&image, [100, 100]);
+        let small = ThumbnailImage::of_image(&image, &Display::default(), [100, 100]);
         assert_eq!(small.size, [100, 50]);
         assert_eq!((small.rgba[0], small.rgba[small.rgba.len() - 4]), (255, 0));
-        let tiny = ThumbnailImage::of_image(&Image::filled([3, 900], Rgb::WHITE), [100, 100]);
+        let tiny =
+            ThumbnailImage::of_image(&Image::filled([3, 900], Rgb::WHITE), &Display::default(), [100, 100]);
         assert_eq!(tiny.size, [1, 100]);
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.png");

@@ -152,6 +152,13 @@ impl FinalRender {
         self.error = Some(error);
     }
 
+    /// How much is left of the time that the scene gives it; None where it sets no limit.
+    fn limit(&self) -> Option<Duration> {
+        let limit = self.request.as_ref()?.scene.settings.time_limit;
+        let limit = Duration::try_from_secs_f32(limit).ok().filter(|limit| !limit.is_zero())?;
+        Some(limit.saturating_sub(self.clock.elapsed()))
+    }
+
     /// How far it is.
     pub fn status(&self) -> Status {
         let elapsed = self.clock.elapsed();
@@ -161,7 +168,8 @@ impl FinalRender {
             (status.samples_done, status.samples_total) = (samples_done, samples_total);
             if samples_done > 0 {
                 let left = samples_total.saturating_sub(samples_done) as f64 / samples_done as f64;
-                status.time_left = Duration::try_from_secs_f64(elapsed.as_secs_f64() * left).ok();
+                let left = Duration::try_from_secs_f64(elapsed.as_secs_f64() * left).ok();
+                status.time_left = left.map(|left| self.limit().map_or(left, |limit| left.min(limit)));
             }
         }
         status

@@ -80,6 +80,9 @@ pub struct Status {
     pub pass: u32,
     /// How many passes there will be.
     pub passes: u32,
+    /// How many samples each pixel of a photoreal live picture has, on average, and how many it will have; None while it is
+    /// coarse and for what else is shown.
+    pub samples: Option<[u32; 2]>,
     /// Whether something is being computed or waits to be.
     pub is_busy: bool,
     /// Since the request; of the final render all the time that it ran.

@@ -9,7 +9,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use vitrine::film::Film;
-use vitrine::scene::Settings;
+use vitrine::scene::{Renderer, Settings};
 use vitrine::{RenderJob, RenderOptions, Rendered, display_of};
 
 /// The least time between two pictures of one pass.
@@ -78,7 +78,8 @@ impl Worker {
     fn passes(&self, task: &LiveTask) -> (Vec<Pass>, Option<Arc<Picture>>) {
         let request = &*task.request;
         let (size, is_dragging) = (request.size, request.is_dragging || self.is_synchronous);
-        let shrink = if self.is_synchronous { 1 } else { self.pace.shrink(size) };
+        let shrink =
+            if self.is_synchronous { 1 } else { self.pace.shrink(size, request.scene.settings.renderer) };
         let all = passes(&View { scene: &request.scene, size, is_dragging, shrink });
         let shown = self.shared.state().picture.clone();
         let is_same =
@@ -96,7 +97,7 @@ impl Worker {
             self.map_objects(task, &ready);
         }
         let first_after = last.as_ref().map(|p| p.first_picture_after);
-        let mut drawing = Drawing { task, passes: all.len(), first_after, last };
+        let mut drawing = Drawing { task, passes: &all, first_after, last };
         let mut so_far: Option<(&Settings, Rendered)> = None;
         for (index, pass) in all.iter().enumerate().skip(done) {
             let options = RenderOptions { settings: pass.settings.clone(), region: None };
@@ -140,14 +141,15 @@ impl Worker {
             }
             let progress = glance.progress();
             let is_over = progress.samples_done == progress.samples_total;
-            drawing.note(shared, pass.0, progress);
+            drawing.note(shared, pass, progress);
             // Before there is anything to stand behind it, a part of a picture would only flicker.
             if !is_over && drawing.last.is_some() {
                 looks.look(|| drawing.publish(shared, pass, &glance.film()));
             }
         })?;
         if pass.1.is_quick {
-            self.pace.learn(rendered.film.samples() - before, start.elapsed());
+            let pixels = rendered.film.samples() - before;
+            self.pace.learn(pass.1.settings.renderer, pixels, start.elapsed());
         }
         Ok(rendered)
     }
@@ -227,7 +229,7 @@ impl Worker {
 /// A live picture that is being drawn.
 struct Drawing<'a> {
     task: &'a LiveTask,
-    passes: usize,
+    passes: &'a [Pass],
     first_after: Option<Duration>,
     /// What has been shown of it.
     last: Option<Arc<Picture>>,
@@ -246,9 +248,9 @@ impl Drawing<'_> {
             size: pass.settings.size,
             rgba: shown(film, &display_of(&pass.settings), before),
             pass: index as u32 + 1,
-            passes: self.passes as u32,
+            passes: self.passes.len() as u32,
             samples,
-            is_final: index + 1 == self.passes && samples == pass.settings.samples,
+            is_final: index + 1 == self.passes.len() && samples == pass.settings.samples,
             elapsed,
             first_picture_after,
         });
@@ -258,12 +260,21 @@ impl Drawing<'_> {
     }
 
     /// Notes how far it is.
-    fn note(&self, shared: &Shared, index: usize, progress: vitrine::Progress) {
+    fn note(&self, shared: &Shared, (index, pass): (usize, &Pass), progress: vitrine::Progress) {
         let mut state = shared.state();
         state.status.samples_done = progress.samples_done;
         state.status.samples_total = progress.samples_total;
-        (state.status.pass, state.status.passes) = (index as u32 + 1, self.passes as u32);
+        (state.status.pass, state.status.passes) = (index as u32 + 1, self.passes.len() as u32);
+        state.status.samples = self.samples(pass, progress.samples_done);
         state.status.elapsed = self.task.start.elapsed();
+    }
+
+    /// How many samples each pixel has and will have, where they are what is waited for.
+    fn samples(&self, pass: &Pass, done: u64) -> Option<[u32; 2]> {
+        let last = &self.passes.last()?.settings;
+        let [width, height] = last.size.map(u64::from);
+        let is_told = last.renderer == Renderer::Photoreal && pass.settings.size == last.size;
+        is_told.then(|| [(done / (width * height)) as u32, last.samples])
     }
 }
 

@@ -5,7 +5,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, Ui, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use vitrine::scene::ParamSpec;
+use vitrine::scene::{ParamSpec, Renderer};
 use vitrine_editor::action::Actions;
 use vitrine_editor::dialogs::*;
 use vitrine_editor::document::Document;
@@ -63,7 +63,7 @@ impl World {
             document: &self.document,
             config: &self.config,
             problems: &self.problems,
-            samples_per_second: Some(1.0e6),
+            samples_per_second: Some((Renderer::Classic, 1.0e6)),
             current: self.current,
         };
         let reply = dialogs_ui(ui, &mut self.open, &around, &mut self.actions);

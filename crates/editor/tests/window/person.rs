@@ -66,15 +66,20 @@ impl Person {
         let _ = self.window.run_ok();
     }
 
-    /// Waits until something is so. Fails after a long time.
+    /// Waits until something is so, then for the window to come to rest. Fails after a long time.
     pub fn until(&mut self, what: &str, is_so: impl Fn(&Editor) -> bool) {
+        self.until_seen(what, is_so);
+        self.wait();
+    }
+
+    /// Waits until something is so, and no longer: the window may go on. Fails after a long time.
+    pub fn until_seen(&mut self, what: &str, is_so: impl Fn(&Editor) -> bool) {
         let start = Instant::now();
         while !is_so(self.window.state()) {
             assert!(start.elapsed() < Duration::from_secs(60), "waited for {what}");
             std::thread::sleep(Duration::from_millis(2));
             self.window.step();
         }
-        self.wait();
     }
 
     /// Asks for what only the system could ask for, such as a file that was chosen.

@@ -24,6 +24,57 @@ fn c9_the_renderer_is_switched_in_the_line_at_the_bottom() {
 }
 
 #[test]
+fn photoreal_is_switched_on_in_both_languages_and_refines_while_one_looks() {
+    for (language, word, all) in [
+        (Language::English, "Photoreal", ["Classic", "Ray casting", "Photoreal"]),
+        (Language::Russian, "Фотореалистичный", ["Классический", "Бросание лучей", "Фотореалистичный"]),
+    ] {
+        let config = Config { language, ..Config::default() };
+        let mut person = Person::at_pace(tempfile::tempdir().unwrap(), &config, Pace::Threads);
+        person.ask(Action::NewFrom("empty".into()));
+        assert!(all.iter().all(|name| person.sees(name)), "{:?}", person.names());
+        person.control(word).click();
+        let samples = |e: &Editor| {
+            let is_photoreal = e.document().scene().settings.renderer == Renderer::Photoreal;
+            let picture = e.live().picture().filter(|p| is_photoreal && p.passes > 5);
+            picture.map_or(0, |p| p.samples)
+        };
+        person.until_seen("the first sample", |e| samples(e) >= 1);
+        let first = person.picture();
+        person.until_seen("more of them", |e| samples(e) >= 4);
+        assert_ne!(person.picture(), first);
+        let told = person.window.state().live().status().samples;
+        assert!(told.is_some_and(|[done, all]| done >= 4 && all == 256), "{told:?}");
+    }
+}
+
+#[test]
+fn a_photoreal_picture_is_saved_with_the_samples_asked_for() {
+    let mut person = in_english();
+    person.use_tool("Sphere");
+    let mut save = |renderer: &str, samples: &str| {
+        let path = person.path(&format!("{renderer} {samples}.png"));
+        person.press(Key::P, Modifiers::COMMAND);
+        person.pick("Picture", "Render now");
+        person.type_into("File", &path.display().to_string());
+        person.type_into("Width", "80");
+        person.type_into("Quality (samples)", samples);
+        person.pick("Renderer", renderer);
+        person.click("Render and save");
+        person.until("the file", |_| path.is_file());
+        person.settle();
+        image::open(&path).unwrap().to_rgb8()
+    };
+    let rough = save("Photoreal", "1");
+    assert_eq!(rough.dimensions(), (80, 60));
+    let (fine, classic) = (save("Photoreal", "64"), save("Classic", "64"));
+    let apart = |a: &image::RgbImage, b: &image::RgbImage| {
+        a.iter().zip(b.iter()).map(|(a, b)| u64::from(a.abs_diff(*b))).sum::<u64>()
+    };
+    assert!(apart(&fine, &classic) > 0 && apart(&rough, &fine) > 0);
+}
+
+#[test]
 fn c10_the_depth_of_reflections_is_set_and_seen() {
     let mut person = Person::at_the_start(Language::English);
     person.click("Two mirror spheres");

@@ -207,16 +207,20 @@ impl SaveDraft {
         (is_new && width * height > Settings::MAX_PIXELS).then_some(SaveFlaw::TooLarge)
     }
 
-    /// How long it will take, at so many samples of pixels a second. None when the rate is not known.
+    /// How long it will take at most, at so many samples of pixels a second of a renderer. None when that of this picture's
+    /// renderer is not known.
     #[must_use]
-    pub fn time(&self, samples_per_second: Option<f64>) -> Option<Duration> {
+    pub fn time(&self, samples_per_second: Option<(Renderer, f64)>) -> Option<Duration> {
         if self.source == PictureSource::Current {
             return Some(Duration::ZERO);
         }
         let [width, height] = self.settings.size.map(f64::from);
         let samples = width * height * f64::from(self.settings.samples);
-        let rate = samples_per_second.filter(|r| r.is_finite() && *r > 0.0)?;
-        Duration::try_from_secs_f64(samples / rate).ok()
+        let (_, rate) = samples_per_second
+            .filter(|(of, rate)| *of == self.settings.renderer && rate.is_finite() && *rate > 0.0)?;
+        let limit = f64::from(self.settings.time_limit);
+        let time = if limit > 0.0 { limit.min(samples / rate) } else { samples / rate };
+        Duration::try_from_secs_f64(time).ok()
     }
 
     /// What was decided.
@@ -296,10 +300,14 @@ mod tests {
     fn the_time_grows_with_pixels_and_samples() {
         let mut draft = draft();
         assert_eq!(draft.time(None), None);
-        assert_eq!(draft.time(Some(0.0)), None);
-        assert_eq!(draft.time(Some(480_000.0)), Some(Duration::from_secs(4)));
+        let at = |rate| Some((Renderer::Classic, rate));
+        assert_eq!(draft.time(at(0.0)), None);
+        assert_eq!(draft.time(at(480_000.0)), Some(Duration::from_secs(4)));
         draft.settings.samples = 8;
-        assert_eq!(draft.time(Some(480_000.0)), Some(Duration::from_secs(8)));
+        assert_eq!(draft.time(at(480_000.0)), Some(Duration::from_secs(8)));
+        assert_eq!(draft.time(Some((Renderer::Photoreal, 480_000.0))), None, "of another renderer");
+        draft.settings.time_limit = 5.0;
+        assert_eq!(draft.time(at(480_000.0)), Some(Duration::from_secs(5)));
         draft.source = PictureSource::Current;
         assert_eq!(draft.time(None), Some(Duration::ZERO));
     }
