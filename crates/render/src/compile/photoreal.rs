@@ -41,12 +41,19 @@ pub struct Parts<'a> {
     pub camera: Vec3,
 }
 
+impl<'a> Parts<'a> {
+    /// The materials of a primitive, slot by slot.
+    fn materials_of(&self, primitive: &Primitive) -> &'a [CompiledPhysical] {
+        &self.physical[primitive.material as usize..][..primitive.slots()]
+    }
+}
+
 impl Photoreal {
     /// All but what the camera is inside of, for which rays are needed.
     pub fn new(parts: &Parts) -> Self {
         let solids = Solids::new(solids(parts), parts.primitives.len());
         let is_sheet = |p: &Primitive| {
-            let materials = &parts.physical[p.material as usize..][..p.slots()];
+            let materials = parts.materials_of(p);
             materials.iter().any(CompiledPhysical::is_transmissive) && is_thin(&materials[0].numbers, p)
         };
         let sees_far = |e: &Emission| matches!(e, Emission::Environment { .. } | Emission::Sky { .. });
@@ -69,7 +76,7 @@ impl Photoreal {
 /// The things with an inside that light passes.
 fn solids<'a>(parts: &'a Parts) -> impl Iterator<Item = Candidate<'a>> {
     (0..).zip(parts.primitives).filter_map(|(id, primitive)| {
-        let materials = &parts.physical[primitive.material as usize..][..primitive.slots()];
+        let materials = parts.materials_of(primitive);
         let glass = materials.iter().find(|m| m.is_transmissive())?;
         let is_solid = !is_thin(&glass.numbers, primitive);
         is_solid.then(|| Candidate {
@@ -102,7 +109,7 @@ fn lamps(parts: &Parts, middle: Vec3) -> Vec<LampSpec> {
 fn emitters(parts: &Parts) -> Vec<Emitter> {
     let mut emitters = Vec::new();
     for (id, primitive) in (0..).zip(parts.primitives) {
-        let materials = &parts.physical[primitive.material as usize..][..primitive.slots()];
+        let materials = parts.materials_of(primitive);
         // What a picture makes brighter here and darker there is found by chance alone.
         let is_flat = |m: &CompiledPhysical| m.emission != Rgb::BLACK && m.textures.emission.is_none();
         if !materials.iter().any(is_flat) {

@@ -248,6 +248,15 @@ impl Substance {
         self.absorption == Rgb::BLACK && self.scattering == Rgb::BLACK
     }
 
+    /// What is left of light after so many metres through it.
+    #[inline]
+    pub fn transmittance(&self, length: f32) -> Rgb {
+        if self.is_empty() {
+            return Rgb::WHITE;
+        }
+        absorption::transmittance(self.absorption + self.scattering, length)
+    }
+
     /// Whether it is milky.
     #[inline]
     pub fn scatters(&self) -> bool {

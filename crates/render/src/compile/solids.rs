@@ -7,7 +7,7 @@
 
 use super::geometry::{Form, Primitive};
 use super::physical::Substance;
-use vitrine_math::{Bounds3, Ray, Vec3};
+use vitrine_math::{Bounds3, Ray, Rgb, Vec3};
 
 /// No solid.
 pub const AIR: u16 = u16::MAX;
@@ -157,6 +157,12 @@ impl Solids {
     #[inline]
     pub fn substance(&self, solid: u16) -> Option<&Substance> {
         self.list.get(solid as usize).map(|s| &s.substance)
+    }
+
+    /// What is left of light after so many metres through what fills a place.
+    #[inline]
+    pub fn transmittance(&self, solid: u16, length: f32) -> Rgb {
+        self.substance(solid).map_or(Rgb::WHITE, |inside| inside.transmittance(length))
     }
 
     /// All of them, in the scene's order.

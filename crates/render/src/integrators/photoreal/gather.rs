@@ -6,7 +6,7 @@ use super::step::{Tools, Vertex};
 use crate::compile::AIR;
 use crate::lights::{LightPoint, LightSample};
 use vitrine_math::{DVec3, Rgb, Vec3, offset_origin};
-use vitrine_optics::{absorption, dispersion};
+use vitrine_optics::dispersion;
 
 /// Light that would add less to a pixel than this is faint: a two hundredth of white.
 const FAINT: f32 = 0.005;
@@ -81,10 +81,7 @@ impl Tools<'_, '_> {
         let solids = &self.task.scene.photoreal.solids;
         let medium = if solids.is_empty() { AIR } else { media.top(solids) };
         let to = end.unwrap_or_else(|| from + wi * self.task.scene.photoreal.far as f32);
-        if let Some(inside) = solids.substance(medium).filter(|s| !s.is_empty()) {
-            light = light
-                * absorption::transmittance(inside.absorption + inside.scattering, (to - from).length());
-        }
+        light = light * solids.transmittance(medium, (to - from).length());
         if let Some(light) = worth_tracing(light, || path.one_of(Draw::Faint, 0)) {
             self.shadows.expect(path.pixel, light);
             self.shadows.leg(from, beside(&sample.at, to, -wi), medium);

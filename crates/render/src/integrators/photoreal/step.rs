@@ -176,12 +176,7 @@ impl Tools<'_, '_> {
 
     /// What is left of light after so much of what the path is inside of.
     fn faded(&self, path: &Path, length: f32) -> Rgb {
-        match self.solids().substance(path.media.top(self.solids())) {
-            Some(inside) if !inside.is_empty() => {
-                absorption::transmittance(inside.absorption + inside.scattering, length)
-            }
-            _ => Rgb::WHITE,
-        }
+        self.solids().transmittance(path.media.top(self.solids()), length)
     }
 
     /// Lets light fade on its way. Whether the path was scattered before the end of it.

@@ -3,8 +3,8 @@
 use super::{Connection, Ends};
 use crate::compile::Solids;
 use crate::integrators::TileTask;
-use vitrine_math::{DVec3, Rgb};
-use vitrine_optics::{absorption, fresnel};
+use vitrine_math::Rgb;
+use vitrine_optics::fresnel;
 
 /// τ = Π(1−F_i or F_i) · Π exp(−σ_j ℓ_j), times (n_x/n_y)², which radiance gains or loses between two media.
 ///
@@ -18,7 +18,7 @@ pub fn transmittance(task: &TileTask, solids: &Solids, connection: &Connection, 
     for (k, step) in steps.iter().enumerate() {
         let vertex = connection.vertices[k];
         let way = vertex - from;
-        tau = tau * faded(solids, medium, way);
+        tau = tau * solids.transmittance(medium, way.length() as f32);
         let cos = (way.dot(step.n) / way.length()).abs() as f32;
         let (rs, rp) = fresnel::dielectric_sp(cos, index(step.beyond) / index(step.before));
         if task.settings.unpolarised {
@@ -38,16 +38,7 @@ pub fn transmittance(task: &TileTask, solids: &Solids, connection: &Connection, 
         }
         (from, medium) = (vertex, step.after());
     }
-    tau = tau * faded(solids, medium, ends.y - from);
+    tau = tau * solids.transmittance(medium, (ends.y - from).length() as f32);
     let ratio = index(first) / index(medium);
     tau * ((s + p) * ratio * ratio)
-}
-
-fn faded(solids: &Solids, medium: u16, way: DVec3) -> Rgb {
-    match solids.substance(medium) {
-        Some(inside) if !inside.is_empty() => {
-            absorption::transmittance(inside.absorption + inside.scattering, way.length() as f32)
-        }
-        _ => Rgb::WHITE,
-    }
 }
