@@ -1,5 +1,6 @@
 //! Scenes and helpers that the benches share.
 
+pub mod mitsuba;
 pub mod povray;
 
 use std::fmt::Write as _;
