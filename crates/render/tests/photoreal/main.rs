@@ -6,6 +6,7 @@
 mod chance;
 mod common;
 mod furnace;
+mod goldens;
 mod job;
 mod lamps;
 mod panes;
