@@ -7,6 +7,7 @@ mod lamps;
 mod limits;
 mod materials;
 mod models;
+mod overlapping;
 mod photoreal;
 mod physical;
 mod solids;

@@ -7,7 +7,7 @@ use vitrine_scene::Geometry;
 
 /// How many times farther than a ray's start a face draws back, times 1 to [`RANKS`]: a bent ray that leaves the glass starts
 /// beyond its face and must still be before the floor.
-const STEPS: f32 = 2.0;
+pub const STEPS: f32 = 2.0;
 /// Neighbours in the scene's list draw back differently, so that two glass blocks that touch stay apart as well.
 const RANKS: u32 = 4;
 /// The largest part of a thin pane's thickness that it may lose on each side.
@@ -28,19 +28,33 @@ pub fn drawn_back(
     bounds: &Bounds3,
     id: u32,
 ) -> (Geometry, Transform) {
-    match geometry {
-        Geometry::Box { half } => {
-            let reach = reach_of(&transform, half);
-            (Geometry::Box { half: half * share_left(half, reach, &transform, id) }, transform)
-        }
+    let (half, reach) = match &geometry {
+        Geometry::Box { half } => (*half, reach_of(&transform, *half)),
         Geometry::Mesh(_) | Geometry::Facets(_) if !bounds.is_empty() => {
-            let reach = reach_of(&transform, bounds.min.abs().max(bounds.max.abs()));
-            let scale = share_left(bounds.size() * 0.5, reach, &transform, id);
-            // Towards the middle of its box.
-            let smaller = Transform::from_place(bounds.center() * (Vec3::ONE - scale), Vec3::ZERO, scale);
-            (geometry, transform.after(&smaller))
+            (bounds.size() * 0.5, reach_of(&transform, bounds.min.abs().max(bounds.max.abs())))
         }
         // Balls touch in points; planes and single triangles have no inside to draw back to.
+        _ => return (geometry, transform),
+    };
+    let scale = share_left(half, reach, &transform, id);
+    scaled(geometry, transform, bounds, scale)
+}
+
+/// A form and its place, so many times as large along each of its own axes. `bounds` is a model's box, whose middle stays.
+pub fn scaled(
+    geometry: Geometry,
+    transform: Transform,
+    bounds: &Bounds3,
+    scale: Vec3,
+) -> (Geometry, Transform) {
+    match geometry {
+        Geometry::Box { half } => (Geometry::Box { half: half * scale }, transform),
+        Geometry::Sphere { radius } => (Geometry::Sphere { radius: radius * scale.max_element() }, transform),
+        Geometry::Mesh(_) | Geometry::Facets(_) => {
+            let about_middle =
+                Transform::from_place(bounds.center() * (Vec3::ONE - scale), Vec3::ZERO, scale);
+            (geometry, transform.after(&about_middle))
+        }
         _ => (geometry, transform),
     }
 }
