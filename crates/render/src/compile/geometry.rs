@@ -3,8 +3,8 @@
 use super::limits::{is_near_enough, is_wide_enough};
 use super::materials::MaterialTable;
 use super::models::Models;
-use super::overlapping::{Placed, overlap};
-use super::touching::drawn_back;
+use super::overlapping::Placed;
+use super::touching::separate;
 use crate::accel::primitives::cuboid::Unit;
 use crate::accel::primitives::disc::Disc;
 use crate::accel::primitives::plane::Plane;
@@ -13,7 +13,7 @@ use crate::accel::{Instance, MaterialSlots, MeshAccel, Primitives};
 use crate::error::CompileError;
 use std::sync::Arc;
 use vitrine_math::{Bounds3, Transform, Vec3};
-use vitrine_scene::{Assets, Geometry, Object, Renderer, Scene, TriangleMesh};
+use vitrine_scene::{Assets, Geometry, Object, Scene, TriangleMesh};
 
 /// What shading needs to know of a primitive beside where it was hit.
 #[derive(Clone, Debug)]
@@ -132,7 +132,7 @@ pub fn collect(
 ) -> Result<Collection, CompileError> {
     let mut all = Collection { models, ..Collection::default() };
     let mut placed = all.place(scene, assets, table)?;
-    separate(&mut placed, scene.settings.renderer, (table, &all));
+    separate(&mut placed, scene.settings.renderer, table, &all.models);
     for one in placed {
         let object = &scene.objects[one.object];
         let Placed { transform, by_triangle, volume, .. } = one;
@@ -144,30 +144,6 @@ pub fn collect(
         all.primitives.push(Primitive { form, transform, object, material, by_triangle, volume });
     }
     Ok(all)
-}
-
-/// Keeps apart what touches: transparent things draw back, or where the renderer bends light at them, grow into each other.
-fn separate(placed: &mut [Placed], renderer: Renderer, (table, all): (&MaterialTable, &Collection)) {
-    let is_solid = |p: &Placed| {
-        let materials = &table.physical[p.materials.start as usize..p.materials.end as usize];
-        let glass = materials.iter().find(|m| m.is_transmissive());
-        glass.is_some_and(|m| match &p.geometry {
-            Geometry::Mesh(mesh) | Geometry::Facets(mesh) => {
-                !m.numbers.geometry_thin_walled.unwrap_or_else(|| !all.models.is_closed(mesh))
-            }
-            _ => !m.numbers.geometry_thin_walled.unwrap_or(false),
-        })
-    };
-    let mut solids = Vec::new();
-    for (id, one) in placed.iter_mut().enumerate() {
-        if renderer == Renderer::Photoreal && is_solid(one) {
-            solids.push(id);
-        } else if table.is_any_transparent(one.materials.clone()) {
-            let geometry = one.geometry.clone();
-            (one.geometry, one.transform) = drawn_back(geometry, one.transform, &one.bounds, id as u32);
-        }
-    }
-    overlap(placed, &solids);
 }
 
 impl Collection {
