@@ -3,7 +3,8 @@
 use super::limits::{is_near_enough, is_wide_enough};
 use super::materials::MaterialTable;
 use super::models::Models;
-use super::touching::drawn_back;
+use super::overlapping::Placed;
+use super::touching::separate;
 use crate::accel::primitives::cuboid::Unit;
 use crate::accel::primitives::disc::Disc;
 use crate::accel::primitives::plane::Plane;
@@ -27,6 +28,8 @@ pub struct Primitive {
     pub material: u32,
     /// Whether a mesh's triangles choose among materials from the first on.
     pub by_triangle: bool,
+    /// The size of the box around it in its own space, cubic metres; infinite where it has no inside.
+    pub volume: f64,
 }
 
 /// The form of a primitive.
@@ -128,36 +131,53 @@ pub fn collect(
     models: Models,
 ) -> Result<Collection, CompileError> {
     let mut all = Collection { models, ..Collection::default() };
-    let places = scene.group_places();
-    for (index, object) in scene.objects.iter().enumerate().filter(|(_, o)| places.is_seen(o)) {
-        let missing = || CompileError::MissingModel { object: object.name.clone() };
-        let geometry = object.shape.as_kind().geometry(assets).ok_or_else(missing)?;
-        let (materials, by_triangle) = match (&object.material, &geometry) {
-            (None, Geometry::Mesh(mesh) | Geometry::Facets(mesh)) if !mesh.materials.is_empty() => {
-                (table.add_slots(mesh, assets)?, true)
-            }
-            (name, _) => {
-                let material = table.find(&object.name, name.as_deref())?;
-                (material..material + 1, false)
-            }
-        };
-        let material = materials.start;
-        let transform = places.world_from_object(object);
-        let (geometry, transform) = if table.is_any_transparent(materials) {
-            let bounds = all.box_of(&geometry, object)?;
-            drawn_back(geometry, transform, &bounds, all.next_id())
-        } else {
-            (geometry, transform)
-        };
-        let (form, bounds) = all.form(object, geometry, &transform)?;
+    let mut placed = all.place(scene, assets, table)?;
+    separate(&mut placed, scene.settings.renderer, table, &all.models);
+    for one in placed {
+        let object = &scene.objects[one.object];
+        let Placed { transform, by_triangle, volume, .. } = one;
+        let material = one.materials.start;
+        let (form, bounds) = all.form(object, one.geometry, &transform)?;
         all.bounds = all.bounds.union(bounds);
         all.collected.materials.push(MaterialSlots { first: material, by_triangle });
-        all.primitives.push(Primitive { form, transform, object: index as u32, material, by_triangle });
+        let object = one.object as u32;
+        all.primitives.push(Primitive { form, transform, object, material, by_triangle, volume });
     }
     Ok(all)
 }
 
 impl Collection {
+    /// What is seen, with its shape, its place and its materials.
+    fn place(
+        &mut self,
+        scene: &Scene,
+        assets: &Assets,
+        table: &mut MaterialTable,
+    ) -> Result<Vec<Placed>, CompileError> {
+        let mut placed = Vec::new();
+        let places = scene.group_places();
+        for (index, object) in scene.objects.iter().enumerate().filter(|(_, o)| places.is_seen(o)) {
+            let missing = || CompileError::MissingModel { object: object.name.clone() };
+            let geometry = object.shape.as_kind().geometry(assets).ok_or_else(missing)?;
+            let (materials, by_triangle) = match (&object.material, &geometry) {
+                (None, Geometry::Mesh(mesh) | Geometry::Facets(mesh)) if !mesh.materials.is_empty() => {
+                    (table.add_slots(mesh, assets)?, true)
+                }
+                (name, _) => {
+                    let material = table.find(&object.name, name.as_deref())?;
+                    (material..material + 1, false)
+                }
+            };
+            let bounds = self.box_of(&geometry, object)?;
+            let transform = places.world_from_object(object);
+            let mut one =
+                Placed { object: index, geometry, transform, materials, by_triangle, bounds, volume: 0.0 };
+            one.measure();
+            placed.push(one);
+        }
+        Ok(placed)
+    }
+
     /// Adds an object's form to the accelerator's; gives what shading needs and its box.
     fn form(
         &mut self,

@@ -7,6 +7,7 @@ mod lamps;
 mod limits;
 mod materials;
 mod models;
+mod overlapping;
 mod photoreal;
 mod physical;
 mod solids;
@@ -16,7 +17,7 @@ pub use camera::CompiledCamera;
 pub use geometry::{Form, Primitive};
 pub use limits::{FARTHEST, memory_limit};
 pub use materials::{CompiledMaterial, CompiledTexture};
-pub use photoreal::Photoreal;
+pub use photoreal::LazyPhotoreal;
 pub use physical::CompiledPhysical;
 pub use solids::{AIR, Piece, Solids, probe};
 pub use touching::reach_of;
@@ -24,7 +25,6 @@ pub use touching::reach_of;
 use crate::accel::simd::Instructions;
 use crate::accel::{Accel, AccelFlaw};
 use crate::error::CompileError;
-use crate::integrators::CompiledMedia;
 use crate::surface::NormalField;
 use models::Models;
 use vitrine_math::{Bounds3, Rgb};
@@ -44,8 +44,8 @@ pub struct CompiledScene {
     pub(crate) lights: Vec<CompiledLight>,
     /// The materials as the photoreal renderer sees them, by the same indices.
     pub(crate) physical: Vec<CompiledPhysical>,
-    /// What else the photoreal renderer needs.
-    pub(crate) photoreal: Photoreal,
+    /// What else the photoreal renderer needs, once it has begun.
+    pub(crate) photoreal: LazyPhotoreal,
     /// The sum of all light that is everywhere.
     pub(crate) ambient: Rgb,
     pub(crate) background: Rgb,
@@ -106,16 +106,7 @@ pub fn compile_with(
     let transparencies = table.materials.iter().map(|m| m.transparency).collect();
     let emissions = lamps::emissions(scene, assets)?;
     let (lights, ambient) = lamps::classic(&emissions);
-    let parts = photoreal::Parts {
-        primitives: &geometry.primitives,
-        physical: &table.physical,
-        emissions: &emissions,
-        lights: &scene.lights,
-        bounds: geometry.bounds,
-        camera: scene.camera.position,
-    };
-    let photoreal = Photoreal::new(&parts);
-    let mut compiled = CompiledScene {
+    Ok(CompiledScene {
         accel: Accel::new(geometry.collected, transparencies),
         camera: CompiledCamera::new(&scene.camera),
         normals: geometry.primitives.iter().map(NormalField::new).collect(),
@@ -124,15 +115,13 @@ pub fn compile_with(
         textures: table.textures,
         lights,
         physical: table.physical,
-        photoreal,
+        photoreal: LazyPhotoreal::new(emissions, &scene.lights, scene.camera.position),
         ambient: limits::dimmed(ambient),
         background: limits::dimmed(scene.settings.background),
         bounds: geometry.bounds,
         triangles: geometry.triangles,
         mesh_memory: geometry.models.memory,
-    };
-    compiled.photoreal.camera_media = CompiledMedia::at(&compiled, scene.camera.position);
-    Ok(compiled)
+    })
 }
 
 impl CompiledScene {
@@ -191,7 +180,7 @@ impl CompiledScene {
     #[doc(hidden)]
     #[must_use]
     pub fn without_connections(mut self) -> Self {
-        self.photoreal.solids.forget_clear();
+        self.photoreal_mut().solids.forget_clear();
         self
     }
 }
@@ -201,9 +190,11 @@ mod tests {
     use super::*;
     use crate::accel::Primitives;
     use crate::accel::tree::TreeFlaw;
+    use crate::{Cancel, RenderJob, RenderOptions};
     use vitrine_math::Transform;
+    use vitrine_scene::lights::Sky;
     use vitrine_scene::shapes::Cuboid;
-    use vitrine_scene::{Object, Shape};
+    use vitrine_scene::{Light, LightSource, Object, Renderer, Settings, Shape};
 
     fn one_box() -> CompiledScene {
         let shape = Shape::Box(Cuboid::default());
@@ -232,5 +223,21 @@ mod tests {
         let mut compiled = one_box();
         compiled.accel = Accel::new(Primitives::default(), Vec::new());
         assert_eq!(compiled.validate(), Err(AccelFlaw::Lost { primitive: 0 }));
+    }
+    #[test]
+    fn what_the_photoreal_renderer_needs_is_made_when_it_begins_and_anew_after_a_change() {
+        let sky = LightSource::Sky(Sky::default());
+        let scene = Scene { lights: vec![Light { source: sky, ..Light::default() }], ..Scene::default() };
+        let compiled = compile(&scene, &Assets::default()).unwrap();
+        let render = |compiled: &CompiledScene, renderer| {
+            let settings = Settings { size: [2, 2], samples: 1, renderer, ..Settings::default() };
+            let job = RenderJob::new(compiled, RenderOptions { settings, region: None }).unwrap();
+            let _ = job.run(1, &Cancel::default(), &mut |_| {});
+        };
+        render(&compiled, Renderer::Classic);
+        assert!(!compiled.photoreal.is_made());
+        render(&compiled, Renderer::Photoreal);
+        assert!(compiled.photoreal.is_made() && compiled.photoreal.has_panorama);
+        assert!(!compiled.recompile(&scene, &Assets::default()).unwrap().photoreal.is_made());
     }
 }

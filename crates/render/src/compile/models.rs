@@ -59,6 +59,12 @@ impl Models {
         Ok(ready.accel.clone())
     }
 
+    /// Whether a model whose tree is there has an inside and an outside.
+    pub fn is_closed(&self, mesh: &Arc<TriangleMesh>) -> bool {
+        let ready = self.ready.get(&Arc::as_ptr(mesh));
+        ready.is_some_and(|ready| ready.accel.is_closed(|| mesh.is_closed()))
+    }
+
     fn build(&self, object: &str, mesh: &TriangleMesh) -> Result<MeshAccel, CompileError> {
         let object = || object.to_owned();
         let triangles = mesh.triangles.len();

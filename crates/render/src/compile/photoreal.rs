@@ -1,10 +1,13 @@
 //! What the photoreal renderer needs beside what all renderers do: lights as they are, solids, what the camera is inside of.
 
+use super::CompiledScene;
 use super::geometry::{Form, Primitive};
 use super::physical::{CompiledPhysical, is_thin};
 use super::solids::{Candidate, Solids};
 use crate::integrators::CompiledMedia;
 use crate::lights::{Emitter, EmitterForm, LampSpec, Lights};
+use std::ops::Deref;
+use std::sync::OnceLock;
 use vitrine_math::{Bounds3, Rgb, Vec3};
 use vitrine_scene::Light;
 use vitrine_scene::lights::Emission;
@@ -31,14 +34,80 @@ pub struct Photoreal {
     pub camera_media: CompiledMedia,
 }
 
+/// The same, made when the first photoreal picture begins: other renderers need none of it, and a sky's map or the surfaces of a model
+/// that glows take a while.
+#[derive(Debug)]
+pub struct LazyPhotoreal {
+    lamps: Vec<Lamp>,
+    /// Where the camera is.
+    camera: Vec3,
+    made: OnceLock<Photoreal>,
+}
+
+/// A light of the scene.
+#[derive(Debug)]
+struct Lamp {
+    emission: Emission,
+    radiance: Rgb,
+    /// As the scene states it.
+    full_at: Option<f32>,
+}
+
+impl LazyPhotoreal {
+    /// Nothing yet. `emissions` are those of the lights that are on, with their places among `lights`.
+    pub fn new(emissions: Vec<(Emission, Rgb, usize)>, lights: &[Light], camera: Vec3) -> Self {
+        let lamp = |(emission, radiance, index): (Emission, Rgb, usize)| {
+            let full_at = lights[index].full_at;
+            Lamp { emission, radiance, full_at }
+        };
+        let lamps = emissions.into_iter().map(lamp).collect();
+        Self { lamps, camera, made: OnceLock::new() }
+    }
+
+    /// Whether it has been made.
+    #[cfg(test)]
+    pub fn is_made(&self) -> bool {
+        self.made.get().is_some()
+    }
+}
+
+impl Deref for LazyPhotoreal {
+    type Target = Photoreal;
+
+    #[inline]
+    fn deref(&self) -> &Photoreal {
+        self.made.get().expect("whoever works out a photoreal tile has it made first")
+    }
+}
+
+impl CompiledScene {
+    /// Makes what the photoreal renderer needs, unless it is there.
+    #[inline]
+    pub(crate) fn make_photoreal(&self) {
+        self.photoreal.made.get_or_init(|| {
+            let LazyPhotoreal { lamps, camera, .. } = &self.photoreal;
+            let (primitives, physical) = (&self.primitives, &self.physical);
+            let parts = Parts { primitives, physical, lamps, bounds: self.bounds(), camera: *camera };
+            let mut made = Photoreal::new(&parts);
+            made.camera_media = CompiledMedia::at(&self.accel, &made.solids, *camera);
+            made
+        });
+    }
+
+    /// The same to be changed.
+    pub(crate) fn photoreal_mut(&mut self) -> &mut Photoreal {
+        self.make_photoreal();
+        self.photoreal.made.get_mut().expect("it has just been made")
+    }
+}
+
 /// What it is made from.
-pub struct Parts<'a> {
-    pub primitives: &'a [Primitive],
-    pub physical: &'a [CompiledPhysical],
-    pub emissions: &'a [(Emission, Rgb, usize)],
-    pub lights: &'a [Light],
-    pub bounds: Bounds3,
-    pub camera: Vec3,
+struct Parts<'a> {
+    primitives: &'a [Primitive],
+    physical: &'a [CompiledPhysical],
+    lamps: &'a [Lamp],
+    bounds: Bounds3,
+    camera: Vec3,
 }
 
 impl<'a> Parts<'a> {
@@ -50,7 +119,7 @@ impl<'a> Parts<'a> {
 
 impl Photoreal {
     /// All but what the camera is inside of, for which rays are needed.
-    pub fn new(parts: &Parts) -> Self {
+    fn new(parts: &Parts) -> Self {
         let solids = Solids::new(solids(parts), parts.primitives.len());
         let is_sheet = |p: &Primitive| {
             let materials = parts.materials_of(p);
@@ -66,7 +135,7 @@ impl Photoreal {
             passes_sheets: parts.primitives.iter().any(is_sheet) || solids.iter().count() > 1,
             has_dispersion,
             solids,
-            has_panorama: parts.emissions.iter().any(|(e, ..)| sees_far(e)),
+            has_panorama: parts.lamps.iter().any(|lamp| sees_far(&lamp.emission)),
             far: f64::from(reach).max(1e-6) * FAR,
             camera_media: CompiledMedia::default(),
         }
@@ -90,8 +159,7 @@ fn solids<'a>(parts: &'a Parts) -> impl Iterator<Item = Candidate<'a>> {
 
 /// The scene's lights.
 fn lamps(parts: &Parts, middle: Vec3) -> Vec<LampSpec> {
-    let lamp = |(emission, radiance, index): &(Emission, Rgb, usize)| {
-        let full_at = parts.lights[*index].full_at;
+    let lamp = |Lamp { emission, radiance, full_at }: &Lamp| {
         let position = match emission {
             Emission::Point { position }
             | Emission::Disc { position, .. }
@@ -102,7 +170,7 @@ fn lamps(parts: &Parts, middle: Vec3) -> Vec<LampSpec> {
         let away = position.map(|p| (p - middle).length()).filter(|d| *d > 1e-3).unwrap_or(1.0);
         LampSpec { emission: emission.clone(), radiance: *radiance, full_at: full_at.unwrap_or(away) }
     };
-    parts.emissions.iter().map(lamp).collect()
+    parts.lamps.iter().map(lamp).collect()
 }
 
 /// The surfaces that shine.

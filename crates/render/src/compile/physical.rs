@@ -7,7 +7,6 @@ use vitrine_math::Rgb;
 use vitrine_optics::absorption;
 use vitrine_optics::bsdf::{Bsdf, Surface};
 use vitrine_optics::dispersion::Cauchy;
-use vitrine_optics::metals::MeasuredMetal;
 use vitrine_scene::{Material, Metal, PhysicalMaterial};
 
 /// The textures beside the colour's, by what they scale.
@@ -155,7 +154,7 @@ fn surface_of(m: &PhysicalMaterial) -> Surface {
         base_color: m.base_color * m.base_weight,
         diffuse_roughness: m.base_diffuse_roughness,
         metalness: m.base_metalness,
-        metal: m.metal.map(index_of),
+        metal: m.metal.map(Metal::index),
         specular_weight: m.specular_weight,
         specular_color: m.specular_color,
         roughness: m.specular_roughness,
@@ -172,18 +171,6 @@ fn surface_of(m: &PhysicalMaterial) -> Surface {
         thin_film_thickness: m.thin_film_thickness,
         thin_film_ior: m.thin_film_ior,
     }
-}
-
-/// The measured index of a metal, n and k.
-fn index_of(metal: Metal) -> (Rgb, Rgb) {
-    match metal {
-        Metal::Gold => MeasuredMetal::Gold,
-        Metal::Copper => MeasuredMetal::Copper,
-        Metal::Silver => MeasuredMetal::Silver,
-        Metal::Aluminium => MeasuredMetal::Aluminium,
-        Metal::Chrome => MeasuredMetal::Chrome,
-    }
-    .index()
 }
 
 /// What a solid is filled with.

@@ -7,7 +7,7 @@
 
 use super::geometry::{Form, Primitive};
 use super::physical::Substance;
-use vitrine_math::{Bounds3, Ray, Rgb, Vec3};
+use vitrine_math::{Ray, Rgb, Vec3};
 
 /// No solid.
 pub const AIR: u16 = u16::MAX;
@@ -123,7 +123,7 @@ impl Solids {
             let Candidate { primitive, id, substance, is_clear } = candidate;
             let index = all.list.len() as u16;
             let piece = Piece::new(&primitive.form);
-            all.list.push(Solid { primitive: id, substance, rank: 0, piece, volume: volume_of(primitive) });
+            all.list.push(Solid { primitive: id, substance, rank: 0, piece, volume: primitive.volume });
             all.by_primitive[id as usize] = index;
             if is_clear && piece.is_some() {
                 all.clear.push(index);
@@ -190,24 +190,6 @@ impl Solids {
     /// Whether there is none.
     pub fn is_empty(&self) -> bool {
         self.list.is_empty()
-    }
-}
-
-/// The size of the box around a primitive in its own space, cubic metres; a plane's has no end.
-fn volume_of(primitive: &Primitive) -> f64 {
-    let of = |bounds: Bounds3| {
-        let size = bounds.size();
-        f64::from(size.x.max(0.0)) * f64::from(size.y.max(0.0)) * f64::from(size.z.max(0.0))
-    };
-    match &primitive.form {
-        Form::Sphere { radius, .. } => 8.0 * f64::from(*radius) * f64::from(*radius) * f64::from(*radius),
-        Form::Ellipsoid { unit } | Form::Box { unit } => {
-            8.0 * f64::from(unit.world_from_object.matrix3.determinant()).abs()
-        }
-        Form::Mesh { bounds, .. } if !bounds.is_empty() => {
-            of(*bounds) * f64::from(primitive.transform.world_from_object.matrix3.determinant()).abs()
-        }
-        _ => f64::INFINITY,
     }
 }
 

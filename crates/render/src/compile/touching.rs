@@ -2,16 +2,43 @@
 //! one, now the other before the other: speckles. So transparent boxes and models draw back by a little more than
 //! rounding can move, far less than can be seen; the floor is then always met after the glass.
 
+use super::materials::MaterialTable;
+use super::models::Models;
+use super::overlapping::{Placed, overlap};
 use vitrine_math::{Bounds3, OFFSET_SHARE, Transform, Vec3};
-use vitrine_scene::Geometry;
+use vitrine_scene::{Geometry, Renderer};
 
 /// How many times farther than a ray's start a face draws back, times 1 to [`RANKS`]: a bent ray that leaves the glass starts
 /// beyond its face and must still be before the floor.
-const STEPS: f32 = 2.0;
+pub const STEPS: f32 = 2.0;
 /// Neighbours in the scene's list draw back differently, so that two glass blocks that touch stay apart as well.
 const RANKS: u32 = 4;
 /// The largest part of a thin pane's thickness that it may lose on each side.
 const MOST: f32 = 1e-3;
+
+/// Keeps apart what touches: transparent things draw back, or where the renderer bends light at them, grow into each other.
+pub fn separate(placed: &mut [Placed], renderer: Renderer, table: &MaterialTable, models: &Models) {
+    let is_solid = |p: &Placed| {
+        let materials = &table.physical[p.materials.start as usize..p.materials.end as usize];
+        let glass = materials.iter().find(|m| m.is_transmissive());
+        glass.is_some_and(|m| match &p.geometry {
+            Geometry::Mesh(mesh) | Geometry::Facets(mesh) => {
+                !m.numbers.geometry_thin_walled.unwrap_or_else(|| !models.is_closed(mesh))
+            }
+            _ => !m.numbers.geometry_thin_walled.unwrap_or(false),
+        })
+    };
+    let mut solids = Vec::new();
+    for (id, one) in placed.iter_mut().enumerate() {
+        if renderer == Renderer::Photoreal && is_solid(one) {
+            solids.push(id);
+        } else if table.is_any_transparent(one.materials.clone()) {
+            let geometry = one.geometry.clone();
+            (one.geometry, one.transform) = drawn_back(geometry, one.transform, &one.bounds, id as u32);
+        }
+    }
+    overlap(placed, &solids);
+}
 
 /// The largest number on the way to the world and back, of a form in a space of its own whose coordinates reach so far.
 pub fn reach_of(transform: &Transform, size: Vec3) -> f32 {
@@ -22,25 +49,34 @@ pub fn reach_of(transform: &Transform, size: Vec3) -> f32 {
 
 /// A form of a transparent thing and its place, both a little smaller. `id` is its place among the scene's primitives, `bounds`
 /// a model's box.
-pub fn drawn_back(
+fn drawn_back(geometry: Geometry, transform: Transform, bounds: &Bounds3, id: u32) -> (Geometry, Transform) {
+    let (half, reach) = match &geometry {
+        Geometry::Box { half } => (*half, reach_of(&transform, *half)),
+        Geometry::Mesh(_) | Geometry::Facets(_) if !bounds.is_empty() => {
+            (bounds.size() * 0.5, reach_of(&transform, bounds.min.abs().max(bounds.max.abs())))
+        }
+        // Balls touch in points; planes and single triangles have no inside to draw back to.
+        _ => return (geometry, transform),
+    };
+    let scale = share_left(half, reach, &transform, id);
+    scaled(geometry, transform, bounds, scale)
+}
+
+/// A form and its place, so many times as large along each of its own axes. `bounds` is a model's box, whose middle stays.
+pub fn scaled(
     geometry: Geometry,
     transform: Transform,
     bounds: &Bounds3,
-    id: u32,
+    scale: Vec3,
 ) -> (Geometry, Transform) {
     match geometry {
-        Geometry::Box { half } => {
-            let reach = reach_of(&transform, half);
-            (Geometry::Box { half: half * share_left(half, reach, &transform, id) }, transform)
+        Geometry::Box { half } => (Geometry::Box { half: half * scale }, transform),
+        Geometry::Sphere { radius } => (Geometry::Sphere { radius: radius * scale.max_element() }, transform),
+        Geometry::Mesh(_) | Geometry::Facets(_) => {
+            let about_middle =
+                Transform::from_place(bounds.center() * (Vec3::ONE - scale), Vec3::ZERO, scale);
+            (geometry, transform.after(&about_middle))
         }
-        Geometry::Mesh(_) | Geometry::Facets(_) if !bounds.is_empty() => {
-            let reach = reach_of(&transform, bounds.min.abs().max(bounds.max.abs()));
-            let scale = share_left(bounds.size() * 0.5, reach, &transform, id);
-            // Towards the middle of its box.
-            let smaller = Transform::from_place(bounds.center() * (Vec3::ONE - scale), Vec3::ZERO, scale);
-            (geometry, transform.after(&smaller))
-        }
-        // Balls touch in points; planes and single triangles have no inside to draw back to.
         _ => (geometry, transform),
     }
 }

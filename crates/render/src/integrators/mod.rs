@@ -59,7 +59,10 @@ impl Workshop {
     /// Works out the samples of a tile. None when it was cancelled in between.
     pub fn fill(&mut self, task: &TileTask, cancel: &Cancel) -> Option<Filled<'_>> {
         let reach = match task.settings.renderer {
-            Renderer::Photoreal => return self.photoreal.fill(task, cancel),
+            Renderer::Photoreal => {
+                task.scene.make_photoreal();
+                return self.photoreal.fill(task, cancel);
+            }
             Renderer::Classic => classic::Reach::Recursive,
             Renderer::Cast => classic::Reach::CameraOnly,
         };

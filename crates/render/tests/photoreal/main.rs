@@ -6,9 +6,11 @@
 mod chance;
 mod common;
 mod furnace;
+mod goldens;
 mod job;
 mod lamps;
 mod panes;
 #[path = "../classic/common.rs"]
 #[expect(dead_code, reason = "the classic renderer's tests use the rest")]
 mod shots;
+mod touching;

@@ -119,7 +119,7 @@ fn from_under_water_the_sky_is_a_window() {
 }
 
 /// A prism of that many degrees whose edge is along y.
-fn prism(angle_deg: f32) -> TriangleMesh {
+pub fn prism(angle_deg: f32) -> TriangleMesh {
     let (sin, cos) = (angle_deg.to_radians() * 0.5).sin_cos();
     let corners = [(0.0, cos), (-sin, 0.0), (sin, 0.0)];
     let ring = |y: f32| corners.map(|(x, z)| v(x, y, z));

@@ -1,8 +1,4 @@
-//! Metals by their measured index of refraction, n + ik, as red, green and blue see it.
-//!
-//! Gold, copper, silver: Johnson and Christy, Physical Review B 6 (1972). Chrome: the same, Physical Review B 9 (1974).
-//! Aluminium: Rakić, Applied Optics 34 (1995). Their spectra are averaged with the responses of Rec. 709's red, green and
-//! blue to light of even power as weights.
+//! Metals by their measured index of refraction. The measurements and their sources stand in [`vitrine_optics::metals`].
 //!
 //! ```toml
 //! [[material]]
@@ -12,6 +8,8 @@
 //! ```
 
 use vitrine_math::Rgb;
+use vitrine_optics::fresnel;
+use vitrine_optics::metals::MeasuredMetal;
 
 crate::choices! {
     /// A metal that is known by its index of refraction.
@@ -30,37 +28,24 @@ crate::choices! {
 }
 
 impl Metal {
-    /// The real part of its index, n.
+    /// Its index n and its extinction k, as red, green and blue see them.
     #[must_use]
-    pub const fn eta(self) -> Rgb {
+    pub fn index(self) -> (Rgb, Rgb) {
         match self {
-            Self::Gold => Rgb::new(0.108, 0.488, 1.478),
-            Self::Copper => Rgb::new(0.237, 1.037, 1.298),
-            Self::Silver => Rgb::new(0.055, 0.055, 0.043),
-            Self::Aluminium => Rgb::new(1.441, 0.988, 0.585),
-            Self::Chrome => Rgb::new(3.224, 3.117, 2.256),
+            Self::Gold => MeasuredMetal::Gold,
+            Self::Copper => MeasuredMetal::Copper,
+            Self::Silver => MeasuredMetal::Silver,
+            Self::Aluminium => MeasuredMetal::Aluminium,
+            Self::Chrome => MeasuredMetal::Chrome,
         }
-    }
-
-    /// The imaginary part of its index, the extinction k.
-    #[must_use]
-    pub const fn k(self) -> Rgb {
-        match self {
-            Self::Gold => Rgb::new(3.508, 2.338, 1.809),
-            Self::Copper => Rgb::new(3.244, 2.601, 2.353),
-            Self::Silver => Rgb::new(4.293, 3.543, 2.535),
-            Self::Aluminium => Rgb::new(7.557, 6.566, 5.307),
-            Self::Chrome => Rgb::new(3.291, 3.339, 3.114),
-        }
+        .index()
     }
 
     /// What it reflects head-on, its colour.
     #[must_use]
     pub fn color(self) -> Rgb {
-        // F₀ = ((n − 1)² + k²) / ((n + 1)² + k²)
-        let f0 = |n: f32, k: f32| ((n - 1.0) * (n - 1.0) + k * k) / ((n + 1.0) * (n + 1.0) + k * k);
-        let (n, k) = (self.eta(), self.k());
-        Rgb::new(f0(n.r, k.r), f0(n.g, k.g), f0(n.b, k.b))
+        let (n, k) = self.index();
+        fresnel::conductor(1.0, n, k)
     }
 }
 

@@ -1,7 +1,7 @@
 //! What a path is inside of.
 
-use crate::accel::{HitStream, RayStream};
-use crate::compile::{AIR, CompiledScene, Solids, probe};
+use crate::accel::{Accel, HitStream, RayStream};
+use crate::compile::{AIR, Solids, probe};
 use vitrine_math::Vec3;
 
 /// So many solids may lie over each other in one place; what lies over more is not noticed.
@@ -83,8 +83,7 @@ impl Media {
     }
 
     /// The solids that hold a point.
-    pub fn at(scene: &CompiledScene, p: Vec3) -> Self {
-        let solids = &scene.photoreal.solids;
+    pub fn at(accel: &Accel, solids: &Solids, p: Vec3) -> Self {
         let mut media = Self::default();
         let mut has_models = false;
         for (index, solid) in solids.iter() {
@@ -95,14 +94,13 @@ impl Media {
             }
         }
         if has_models {
-            media.find_models(scene, p);
+            media.find_models(accel, solids, p);
         }
         media
     }
 
     /// Finds the models that hold a point: those whose surface a ray from there crosses an odd number of times.
-    fn find_models(&mut self, scene: &CompiledScene, p: Vec3) {
-        let solids = &scene.photoreal.solids;
+    fn find_models(&mut self, accel: &Accel, solids: &Solids, p: Vec3) {
         let ray = probe(p);
         let (mut rays, mut hits) = (RayStream::default(), HitStream::default());
         let mut last = None;
@@ -112,7 +110,7 @@ impl Media {
                 None => rays.push(&ray),
                 Some(hit) => rays.push_on(&ray, hit),
             }
-            scene.accel.closest(&rays, &mut hits);
+            accel.closest(&rays, &mut hits);
             let Some(hit) = hits.get(0) else { return };
             let solid = solids.of_primitive(hit.primitive);
             if solid != AIR && solids.get(solid).piece.is_none() {
