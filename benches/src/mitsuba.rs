@@ -42,7 +42,11 @@ pub fn translate(scene: &Scene, assets: &Assets, folder: &Path) -> Result<String
 
 fn header(out: &mut String, scene: &Scene) {
     let [width, height] = scene.settings.size;
-    put!(out, "<integrator type=\"path\"><integer name=\"max_depth\" value=\"{}\"/></integrator>", scene.settings.bounces);
+    put!(
+        out,
+        "<integrator type=\"path\"><integer name=\"max_depth\" value=\"{}\"/></integrator>",
+        scene.settings.bounces
+    );
     // Mitsuba's camera looks along +Z with +X to the left.
     let turned = scene.camera.rotation() * Mat3::from_diagonal(Vec3::new(-1.0, 1.0, -1.0));
     put!(out, "<sensor type=\"perspective\">");
@@ -66,7 +70,11 @@ fn lamp(out: &mut String, emission: &Emission, intensity: Rgb, full_at: Option<f
     };
     let radiance = intensity * (full_at * full_at / (radius * radius));
     put!(out, "<shape type=\"sphere\">");
-    put!(out, "  <point name=\"center\" value=\"{}\"/><float name=\"radius\" value=\"{radius}\"/>", list(*position));
+    put!(
+        out,
+        "  <point name=\"center\" value=\"{}\"/><float name=\"radius\" value=\"{radius}\"/>",
+        list(*position)
+    );
     put!(out, "  {}", shining(radiance));
     put!(out, "</shape>");
     Ok(())
@@ -176,8 +184,9 @@ fn surface(material: &Material, around: f32) -> Result<String, String> {
     if material.textures().iter().any(|t| t.is_some()) {
         return Err(unknown());
     }
-    let PhysicalMaterial { base_color, base_weight, specular_ior, emission_luminance, emission_color, .. } =
-        material.physical();
+    let PhysicalMaterial {
+        base_color, base_weight, specular_ior, emission_luminance, emission_color, ..
+    } = material.physical();
     let color = base_color * base_weight;
     // Alike in all but what is translated as it is.
     let is = |other: &Material| {
@@ -192,11 +201,8 @@ fn surface(material: &Material, around: f32) -> Result<String, String> {
             }
     };
     let matt_base = Material { specular_weight: Some(0.0), ..Material::default() };
-    let glass = Material {
-        transmission_weight: Some(1.0),
-        specular_roughness: Some(0.0),
-        ..Material::default()
-    };
+    let glass =
+        Material { transmission_weight: Some(1.0), specular_roughness: Some(0.0), ..Material::default() };
     let mirror = Material {
         base_metalness: Some(1.0),
         base_color: Some(Rgb::WHITE),
@@ -258,7 +264,10 @@ mod tests {
     #[test]
     fn water_in_a_tank_lies_in_glass_and_the_tank_in_air() {
         let text = translated("tank");
-        assert!(text.contains("\"int_ior\" value=\"1.33\"/><float name=\"ext_ior\" value=\"1.52\""), "{text}");
+        assert!(
+            text.contains("\"int_ior\" value=\"1.33\"/><float name=\"ext_ior\" value=\"1.52\""),
+            "{text}"
+        );
         assert!(text.contains("\"int_ior\" value=\"1.52\"/><float name=\"ext_ior\" value=\"1\""), "{text}");
     }
 

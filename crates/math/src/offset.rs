@@ -15,11 +15,13 @@ pub const OFFSET_SHARE: f32 = OFFSET_STEPS * f32::EPSILON;
 ///
 /// `reach` is the largest number that took part in finding the point, or the largest of its coordinates if that is larger:
 /// rounding is a part of it.
+#[inline]
 #[must_use]
 pub fn offset_origin(p: Vec3, n: Vec3, reach: f32) -> Vec3 {
-    Vec3::from_array([0, 1, 2].map(|k| offset(p[k], n[k], reach)))
+    Vec3::new(offset(p.x, n.x, reach), offset(p.y, n.y, reach), offset(p.z, n.z, reach))
 }
 
+#[inline]
 fn offset(p: f32, n: f32, reach: f32) -> f32 {
     // Below the smallest normal number there are too few floats to count on.
     if p.abs() <= (0.5 * reach).max(f32::MIN_POSITIVE) {

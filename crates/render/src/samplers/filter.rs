@@ -34,12 +34,13 @@ static INVERSE: LazyLock<[f32; STEPS + 1]> = LazyLock::new(|| {
 #[must_use]
 pub fn offset(u: [f32; 2]) -> [f32; 2] {
     let inverse = &*INVERSE;
-    u.map(|u| {
+    let along = |u: f32| {
         let at = u * STEPS as f32;
         let i = (at as usize).min(STEPS - 1);
         let f = at - i as f32;
         inverse[i] * (1.0 - f) + inverse[i + 1] * f
-    })
+    };
+    [along(u[0]), along(u[1])]
 }
 
 #[cfg(test)]

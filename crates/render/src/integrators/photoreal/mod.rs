@@ -36,8 +36,11 @@ const BRIGHTEST: f32 = 1e30;
 #[derive(Debug, Default)]
 pub struct Paths {
     order: TileOrder,
-    now: Wave,
-    next: Wave,
+    /// Paths, and the rays on which they are.
+    paths: Vec<Path>,
+    rays: RayStream,
+    /// The rays on which they go on.
+    onward: RayStream,
     hits: HitStream,
     spots: Spots,
     connector: Connector,
@@ -46,20 +49,6 @@ pub struct Paths {
     light: Vec<Rgb>,
     sums: Vec<Rgb>,
     features: Vec<Features>,
-}
-
-/// Paths and their rays.
-#[derive(Debug, Default)]
-struct Wave {
-    paths: Vec<Path>,
-    rays: RayStream,
-}
-
-impl Wave {
-    fn clear(&mut self) {
-        self.paths.clear();
-        self.rays.clear();
-    }
 }
 
 impl Paths {
@@ -77,7 +66,7 @@ impl Paths {
                 return None;
             }
             self.start(task, sample);
-            while !self.now.paths.is_empty() {
+            while !self.paths.is_empty() {
                 rays += self.step(task);
             }
             bad += self.take_sample();
@@ -102,7 +91,8 @@ impl Paths {
     fn start(&mut self, task: &TileTask, sample: u32) {
         let TileTask { scene, settings, tile, .. } = task;
         let pixels = tile.pixels();
-        self.now.clear();
+        self.paths.clear();
+        self.rays.clear();
         self.light.clear();
         self.light.resize(pixels, Rgb::BLACK);
         for pixel in 0..pixels {
@@ -115,40 +105,43 @@ impl Paths {
             if !is_traceable(ray.origin, ray.direction) {
                 continue;
             }
-            self.now.rays.push(&ray);
-            self.now.paths.push(Path::new(pixel as u32, sampler, scene.photoreal.camera_media));
+            self.rays.push(&ray);
+            self.paths.push(Path::new(pixel as u32, sampler, scene.photoreal.camera_media));
         }
     }
 
     /// Takes all paths to their next vertices. Gives the number of rays.
     fn step(&mut self, task: &TileTask) -> u64 {
         let scene = task.scene;
-        self.next.clear();
-        scene.accel.closest(&self.now.rays, &mut self.hits);
-        self.spots.fill(scene, &self.now.rays, &self.hits);
-        let mut rays = self.now.paths.len() as u64;
+        self.onward.clear();
+        scene.accel.closest(&self.rays, &mut self.hits);
+        self.spots.fill(scene, &self.rays, &self.hits);
+        let mut rays = self.paths.len() as u64;
         let mut tools = step::Tools {
             task,
             connector: &mut self.connector,
             shadows: &mut self.shadows,
-            next: &mut self.next,
+            onward: &mut self.onward,
             light: &mut self.light,
             order: &self.order,
             features: &mut self.features,
         };
-        for (i, path) in self.now.paths.iter().enumerate() {
+        let mut i = 0;
+        // Those that go on close ranks, as their rays do.
+        self.paths.retain_mut(|path| {
             let arrival = step::Arrival {
-                rays: &self.now.rays,
+                rays: &self.rays,
                 hits: &self.hits,
                 spots: &self.spots,
                 i,
-                ray: self.now.rays.get(i),
+                ray: self.rays.get(i),
                 hit: self.hits.get(i),
             };
-            tools.take(*path, &arrival);
-        }
+            i += 1;
+            tools.take(path, &arrival)
+        });
         rays += self.shadows.settle(scene, &mut self.light);
-        std::mem::swap(&mut self.now, &mut self.next);
+        std::mem::swap(&mut self.rays, &mut self.onward);
         rays
     }
 }

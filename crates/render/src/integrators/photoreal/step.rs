@@ -1,6 +1,5 @@
 //! What happens to a path at its next vertex.
 
-use super::Wave;
 use super::chain::Chain;
 use super::connect::{Connector, double, face_of};
 use super::light::{Shining, chance_weight};
@@ -21,6 +20,9 @@ use vitrine_optics::{absorption, dispersion, phase, refract};
 
 /// From this vertex on, paths end by chance.
 const ROULETTE_FROM: u32 = 4;
+/// Paths go on for sure while so much of the light that arrives at their end reaches the pixel. Measured on rooms with matt walls: at 1,
+/// which costs least a path, the last vertices of few paths make most of the noise.
+const SURE: f32 = 0.25;
 /// The least chance to go on.
 const LEAST_CHANCE: f32 = 0.05;
 
@@ -29,7 +31,8 @@ pub struct Tools<'a, 't> {
     pub task: &'a TileTask<'t>,
     pub connector: &'a mut Connector,
     pub shadows: &'a mut Shadows,
-    pub next: &'a mut Wave,
+    /// The rays of the paths that go on.
+    pub onward: &'a mut RayStream,
     pub light: &'a mut [Rgb],
     pub order: &'a TileOrder,
     pub features: &'a mut [Features],
@@ -90,16 +93,16 @@ impl Tools<'_, '_> {
         &self.task.scene.photoreal.solids
     }
 
-    /// Takes a path on from where its ray has come to.
-    pub fn take(&mut self, mut path: Path, arrival: &Arrival) {
+    /// Takes a path on from where its ray has come to. Whether it goes on; its ray is then the last of those onward.
+    pub fn take(&mut self, path: &mut Path, arrival: &Arrival) -> bool {
         let end = arrival.hit.map_or(f32::INFINITY, |hit| hit.t);
-        self.meet_lamps(&path, &arrival.ray, end);
-        if self.is_scattered_inside(&mut path, &arrival.ray, end) {
-            return;
+        self.meet_lamps(path, &arrival.ray, end);
+        if let Some(goes_on) = self.cross_inside(path, &arrival.ray, end) {
+            return goes_on;
         }
         let Some(hit) = arrival.hit else {
-            self.escape(&path, &arrival.ray);
-            return;
+            self.escape(path, &arrival.ray);
+            return false;
         };
         let spot = arrival.spots.get(arrival.i, hit);
         let solid = self.solids().of_primitive(hit.primitive);
@@ -110,8 +113,7 @@ impl Tools<'_, '_> {
         } else {
             sides = path.media.across(self.solids(), solid, spot.is_outside);
             if sides.before == sides.beyond {
-                self.pass_hidden(path, arrival, &hit, sides);
-                return;
+                return self.pass_hidden(path, arrival, &hit, sides);
             }
         }
         if path.depth == 0.0 {
@@ -119,26 +121,27 @@ impl Tools<'_, '_> {
         }
         let material = &self.task.scene.physical[spot.material as usize];
         let dressed = dress(self.task.scene, material, &spot, arrival);
-        self.meet_emission(&path, &spot, &dressed, arrival.ray.direction);
+        self.meet_emission(path, &spot, &dressed, arrival.ray.direction);
         if path.bounce + 1 >= self.task.settings.bounces {
-            return;
+            return false;
         }
         if solid != AIR && material.is_clear {
-            self.bend(path, &Meeting { spot: &spot, solid, sides, arrival }, &dressed);
+            self.bend(path, &Meeting { spot: &spot, solid, sides, arrival }, &dressed)
         } else {
-            self.scatter(path, &Meeting { spot: &spot, solid, sides, arrival }, &dressed);
+            self.scatter(path, &Meeting { spot: &spot, solid, sides, arrival }, &dressed)
         }
     }
 
     /// Goes straight on through a surface that something else is in the place of.
-    fn pass_hidden(&mut self, mut path: Path, arrival: &Arrival, hit: &Hit, sides: Sides) {
+    fn pass_hidden(&mut self, path: &mut Path, arrival: &Arrival, hit: &Hit, sides: Sides) -> bool {
         path.media = sides.media;
         path.start_t = hit.t;
         path.bounce += 1;
-        if path.bounce < self.task.settings.bounces {
-            self.next.rays.push_on(&arrival.ray, hit);
-            self.next.paths.push(path);
+        let goes_on = path.bounce < self.task.settings.bounces;
+        if goes_on {
+            self.onward.push_on(&arrival.ray, hit);
         }
+        goes_on
     }
 
     /// Adds light to the path's pixel.
@@ -179,16 +182,14 @@ impl Tools<'_, '_> {
         self.solids().transmittance(path.media.top(self.solids()), length)
     }
 
-    /// Lets light fade on its way. Whether the path was scattered before the end of it.
-    fn is_scattered_inside(&mut self, path: &mut Path, ray: &Ray, end: f32) -> bool {
+    /// Lets light fade on its way. None if the path has come to the end of it; else it was scattered or lost before: whether it goes on.
+    fn cross_inside(&mut self, path: &mut Path, ray: &Ray, end: f32) -> Option<bool> {
         let top = path.media.top(self.solids());
-        let Some(inside) = self.solids().substance(top).filter(|s| !s.is_empty()).copied() else {
-            return false;
-        };
+        let inside = self.solids().substance(top).filter(|s| !s.is_empty()).copied()?;
         let length = end - path.start_t;
         if !inside.scatters() {
             path.beta = path.beta * absorption::transmittance(inside.absorption, length);
-            return false;
+            return None;
         }
         let extinction = inside.absorption + inside.scattering;
         // One channel chooses the distance; all three share it by their densities.
@@ -202,34 +203,33 @@ impl Tools<'_, '_> {
         let density = if is_scattered { faded * extinction } else { faded };
         let mean = (density.r + density.g + density.b) / 3.0;
         if mean <= 0.0 {
-            return true;
+            return Some(false);
         }
         path.beta = path.beta * faded / mean;
         if !is_scattered {
-            return false;
+            return None;
         }
         path.beta = path.beta * inside.scattering;
         let p = ray.at(path.start_t + distance);
-        self.scatter_inside(*path, p, ray.direction, inside.anisotropy);
-        true
+        Some(self.scatter_inside(path, p, ray.direction, inside.anisotropy))
     }
 
     /// Scatters a path inside milky glass.
-    fn scatter_inside(&mut self, mut path: Path, p: Vec3, d: Vec3, anisotropy: f32) {
+    fn scatter_inside(&mut self, path: &mut Path, p: Vec3, d: Vec3, anisotropy: f32) -> bool {
         if path.bounce + 1 >= self.task.settings.bounces {
-            return;
+            return false;
         }
         let top = path.media.top(self.solids());
         let sides = Sides { before: top, beyond: top, media: path.media };
         let scattering = Scattering::Inside { anisotropy };
         let vertex = Vertex { p, n: Vec3::ZERO, reach: p.abs().max_element(), wo: -d, scattering, sides };
-        self.gather(&path, &vertex);
+        self.gather(path, &vertex);
         let (wi, pdf) = phase::sample_hg(-d, anisotropy, path.two(Draw::Direction));
         path.origin = Origin { x: p, n: Vec3::ZERO, pdf, wi, media: path.media };
         path.chain = Chain::default();
         path.is_seen = false;
         path.polarisation = Polarisation::default();
-        self.go_on(path, Ray::new(p, wi));
+        self.go_on(path, &Ray::new(p, wi))
     }
 
     /// Adds what shines from infinitely far.
@@ -286,9 +286,9 @@ impl Tools<'_, '_> {
     }
 
     /// At the clear surface of a solid: light is reflected or bent, never scattered.
-    fn bend(&mut self, mut path: Path, meeting: &Meeting, dressed: &Dressed) {
+    fn bend(&mut self, path: &mut Path, meeting: &Meeting, dressed: &Dressed) -> bool {
         let &Meeting { spot, solid, sides, arrival } = meeting;
-        let [here, there] = self.indices(&mut path, &sides);
+        let [here, there] = self.indices(path, &sides);
         let (wo, n, eta) = (-arrival.ray.direction, dressed.frame.z, there / here);
         let parting = if self.task.settings.unpolarised {
             Polarisation::part_unpolarised(wo, n, eta)
@@ -296,21 +296,20 @@ impl Tools<'_, '_> {
             path.polarisation.part(wo, n, eta)
         };
         let is_reflected = path.one(Draw::Lobe) < parting.reflectance;
-        self.add_to_chain(&mut path, solid, spot, is_reflected);
+        self.add_to_chain(path, solid, spot, is_reflected);
         let (wi, side) = if is_reflected {
             path.polarisation = parting.reflected;
             (vitrine_optics::reflect(wo, n), spot.n)
         } else {
-            let Some(wi) = refract(wo, n, eta) else { return };
+            let Some(wi) = refract(wo, n, eta) else { return false };
             path.polarisation = parting.passed;
             path.beta = path.beta * dressed.surface.transmission_tint / (eta * eta);
             path.condensed *= eta * eta;
             path.media = sides.media;
             (wi, -spot.n)
         };
-        if wi.dot(side) > 0.0 {
-            self.go_on(path, Ray::new(offset_origin(spot.p, side, spot.reach), wi.normalize()));
-        }
+        wi.dot(side) > 0.0
+            && self.go_on(path, &Ray::new(offset_origin(spot.p, side, spot.reach), wi.normalize()))
     }
 
     /// Notes a smooth surface.
@@ -326,7 +325,7 @@ impl Tools<'_, '_> {
     }
 
     /// At any other surface: looks for light, then goes on in a direction that the surface chooses.
-    fn scatter(&mut self, mut path: Path, meeting: &Meeting, dressed: &Dressed) {
+    fn scatter(&mut self, path: &mut Path, meeting: &Meeting, dressed: &Dressed) -> bool {
         let &Meeting { spot, solid, sides, arrival } = meeting;
         let &Dressed { frame, mut surface, .. } = dressed;
         if solid == AIR && surface.transmission > 0.0 {
@@ -338,7 +337,7 @@ impl Tools<'_, '_> {
         let here = if solid == AIR {
             self.solids().substance(sides.before).map_or(1.0, |s| s.index_at(path.wavelength))
         } else {
-            let [here, there] = self.indices(&mut path, &sides);
+            let [here, there] = self.indices(path, &sides);
             surface.eta = there;
             here
         };
@@ -349,25 +348,25 @@ impl Tools<'_, '_> {
         let bsdf = Bsdf::new(&surface, wo_local.z);
         let has_smooth_part = bsdf.has_smooth_part();
         if path.is_seen && has_smooth_part {
-            self.note_features(&path, &bsdf, frame.z);
+            self.note_features(path, &bsdf, frame.z);
         }
         if has_smooth_part {
             let scattering = Scattering::Surface { bsdf: &bsdf, frame };
             let vertex = Vertex { p: spot.p, n: spot.n, reach: spot.reach, wo, scattering, sides };
-            self.gather(&path, &vertex);
+            self.gather(path, &vertex);
         }
         let Some(sample) = bsdf.sample(wo_local, path.one(Draw::Lobe), path.two(Draw::Direction)) else {
-            return;
+            return false;
         };
         let wi = frame.world(sample.wi).normalize();
         // A normal for shading may send light to the other side of the surface than it is meant to.
         let goes_through = wi.dot(spot.n) < 0.0;
         if goes_through != sample.event.is_transmission {
-            return;
+            return false;
         }
-        self.follow(&mut path, meeting, &sample, (wi, surface.eta));
+        self.follow(path, meeting, &sample, (wi, surface.eta));
         let side = if goes_through { -spot.n } else { spot.n };
-        self.go_on(path, Ray::new(offset_origin(spot.p, side, spot.reach), wi));
+        self.go_on(path, &Ray::new(offset_origin(spot.p, side, spot.reach), wi))
     }
 
     /// Updates a path that leaves a surface.
@@ -397,24 +396,24 @@ impl Tools<'_, '_> {
         features.depth += path.depth;
     }
 
-    /// Sends a path on, or ends it by chance where little of its light arrives.
-    fn go_on(&mut self, mut path: Path, ray: Ray) {
+    /// Sends a path on, or ends it by chance where little of its light arrives. Whether it goes on.
+    fn go_on(&mut self, path: &mut Path, ray: &Ray) -> bool {
         path.bounce += 1;
         path.start_t = 0.0;
         let beta = path.beta.to_array();
         let largest = beta.iter().fold(0.0_f32, |a, b| a.max(b.abs())) * path.condensed;
         let is_followed = largest > 0.0 && largest.is_finite();
         if !is_followed || !is_traceable(ray.origin, ray.direction) {
-            return;
+            return false;
         }
-        if path.bounce >= ROULETTE_FROM && largest < 1.0 {
-            let chance = largest.max(LEAST_CHANCE);
+        if path.bounce >= ROULETTE_FROM && largest < SURE {
+            let chance = (largest / SURE).max(LEAST_CHANCE);
             if path.one(Draw::Roulette) >= chance {
-                return;
+                return false;
             }
             path.beta = path.beta / chance;
         }
-        self.next.rays.push(&ray);
-        self.next.paths.push(path);
+        self.onward.push(ray);
+        true
     }
 }
