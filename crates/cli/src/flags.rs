@@ -6,6 +6,7 @@ use clap::Args;
 use clap::builder::PossibleValuesParser;
 use std::path::Path;
 use vitrine::formats::{self, BitDepth};
+use vitrine::render::threads;
 use vitrine::scene::{Renderer, View};
 use vitrine::{Error, Project, WriteOptions};
 
@@ -100,13 +101,8 @@ pub struct ThreadFlag {
 impl ThreadFlag {
     /// The number of threads that will run.
     pub fn count(self) -> usize {
-        if self.threads > 0 { self.threads } else { cores() }
+        threads::meant_by(self.threads)
     }
-}
-
-/// How many threads the machine runs at once.
-pub fn cores() -> usize {
-    std::thread::available_parallelism().map_or(1, usize::from)
 }
 
 /// How a picture is stored.

@@ -5,7 +5,7 @@ use crate::report::Report;
 use std::io;
 use std::path::{Path, PathBuf};
 use vitrine::Project;
-use vitrine::formats;
+use vitrine::formats::{self, folder_of};
 
 /// The picture's file when nobody says: beside the scene, with its name.
 pub fn beside(project: &Project, ending: &str) -> PathBuf {
@@ -80,11 +80,6 @@ pub fn check_folder(folder: &Path) -> Result<(), Failure> {
             "choose another folder, or get the right to write there",
         )
     })
-}
-
-/// The folder around a file.
-pub fn folder_of(path: &Path) -> &Path {
-    path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
 fn failed(message: String, help: &str) -> Failure {

@@ -50,7 +50,7 @@ impl Film {
         for (tile, &count) in Self::tiles(self.region()).zip(self.tile_samples()) {
             for place in self.places(tile) {
                 let [r, g, b] = self.parts().light[place];
-                sum += f64::from(((r + g + b) / (3 * count) as f32).max(0.0).sqrt());
+                sum += f64::from(((r + g + b) / (3.0 * count as f32)).max(0.0).sqrt());
             }
         }
         let root = sum / self.region().pixels() as f64;
@@ -159,6 +159,14 @@ mod tests {
         // About 1 of 4096 pixels, in quadrature.
         let added = (after * after - before * before).sqrt();
         assert!((0.5..2.0).contains(&(added * 64.0)), "{before} {after}");
+    }
+
+    #[test]
+    fn as_many_samples_as_a_damaged_file_may_claim_overflow_nothing() {
+        let mut parts = noisy([8, 8], 4, |_| 1.0).parts().clone();
+        (parts.counts[0], parts.half_counts[0]) = (u32::MAX, u32::MAX / 2);
+        let noise = Film::from_parts(parts).unwrap().noise().unwrap();
+        assert!(noise.relative_error.is_finite());
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use crate::FormatError;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// Writes a file: all of it or nothing. The bytes go to a temporary file in the same folder, which then takes the place of
 /// what was there. The file has the permissions of the one that it replaces, else those of any new file. A
@@ -70,14 +70,13 @@ fn failed(path: &Path, cause: io::Error) -> FormatError {
 /// That the folder for a new file exists.
 fn check_folder(path: &Path) -> Result<(), FormatError> {
     let folder = folder_of(path);
-    if folder.is_dir() { Ok(()) } else { Err(FormatError::MissingFolder { folder }) }
+    if folder.is_dir() { Ok(()) } else { Err(FormatError::MissingFolder { folder: folder.into() }) }
 }
 
-fn folder_of(path: &Path) -> PathBuf {
-    match path.parent() {
-        Some(folder) if folder != Path::new("") => folder.into(),
-        _ => ".".into(),
-    }
+/// The folder that a file stands in; `.` where the path does not tell.
+#[must_use]
+pub fn folder_of(path: &Path) -> &Path {
+    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
 fn replace(path: &Path, bytes: &[u8], permissions: Option<fs::Permissions>) -> io::Result<()> {

@@ -10,7 +10,7 @@ pub mod scene_file;
 pub mod state_file;
 
 pub use assets::load_assets;
-pub use atomic::write_atomically;
+pub use atomic::{folder_of, write_atomically};
 pub use error::FormatError;
 pub use image_file::{
     BitDepth, ExrFeatures, ExrLayers, IMAGE_FORMATS, ImageFormat, WriteOptions, encode, image_format,

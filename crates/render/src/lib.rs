@@ -12,6 +12,7 @@ pub mod lights;
 mod pick;
 mod samplers;
 mod surface;
+pub mod threads;
 
 pub use compile::{CompileOptions, CompiledScene, compile, compile_with, memory_limit};
 pub use error::{CompileError, ModelFlaw, RenderError};

@@ -4,6 +4,7 @@ use crate::accel::simd::{Kernel, Simd};
 use crate::accel::{BLOCK, Column, Hit, HitStream, NOTHING, RayBlock, RayStream};
 use crate::compile::{CompiledCamera, CompiledScene};
 use crate::surface::HitLanes;
+use crate::threads;
 use std::sync::{Mutex, PoisonError};
 use vitrine_math::{Ray, Vec3};
 
@@ -114,8 +115,7 @@ impl CompiledScene {
         if map.is_empty() {
             return map;
         }
-        let machine = || std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
-        let threads = if threads == 0 { machine() } else { threads };
+        let threads = threads::meant_by(threads);
         let rows = Mutex::new(map.chunks_mut(width).enumerate());
         let next = || rows.lock().unwrap_or_else(PoisonError::into_inner).next();
         let work = || {

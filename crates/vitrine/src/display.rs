@@ -14,6 +14,13 @@ pub fn display_of(settings: &Settings) -> Display {
     Display { view, exposure: settings.exposure, white_balance: settings.white_balance }
 }
 
+/// The settings without what only shows the picture: where two agree in all else, they make the same light.
+#[must_use]
+pub fn without_display(settings: &Settings) -> Settings {
+    let Settings { view, exposure, white_balance, .. } = Settings::default();
+    Settings { view, exposure, white_balance, ..settings.clone() }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

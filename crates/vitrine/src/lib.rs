@@ -42,7 +42,7 @@ mod resume;
 pub mod summary;
 pub mod templates;
 
-pub use display::display_of;
+pub use display::{display_of, without_display};
 pub use error::Error;
 pub use hash::SceneHash;
 pub use layers::layers_of;

@@ -1,6 +1,6 @@
 //! A scene with everything that belongs to it: its file, its models and pictures, its warnings.
 
-use crate::formats::{self, Finding, SceneFile};
+use crate::formats::{self, Finding, SceneFile, folder_of};
 use crate::scene::{Assets, Scene, Settings};
 use crate::{Error, RenderOptions, SceneHash, VERSION};
 use std::path::{Path, PathBuf};
@@ -143,10 +143,6 @@ pub fn metadata_of(name: &str, about: &str, hash: SceneHash, settings: &Settings
         ("vitrine:seed", settings.seed.to_string()),
     ];
     pairs.into_iter().filter(|(_, v)| !v.is_empty()).map(|(k, v)| (k.to_owned(), v)).collect()
-}
-
-fn folder_of(path: &Path) -> &Path {
-    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
 /// Everything that the scene names, and what may not be as it was meant, one sentence each.

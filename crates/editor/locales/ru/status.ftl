@@ -1,8 +1,8 @@
 # Строка внизу окна.
 status-live = Живая картинка
 status-pass = Проход { $pass } из { $passes }
-status-samples = Отсчёты: { $samples } из { $all }
-status-live-samples = Отсчёты: { $samples }
+status-samples = Выборки: { $samples } из { $all }
+status-live-samples = Выборки: { $samples }
 status-drawing = Рисую…
 status-final = Рендер { $percent } %, осталось { $left }
 status-final-starting = Рендер { $percent } %

@@ -15,6 +15,7 @@ use crate::text::tr;
 use crate::theme;
 use crate::viewport::viewport_ui;
 use eframe::egui::{CentralPanel, Color32, Frame, Id, Margin, Panel, Ui};
+use vitrine::render::threads;
 
 impl Editor {
     /// Draws everything; what is asked for is noted.
@@ -137,8 +138,7 @@ impl Editor {
             (Some(_), true) => tr!("status-changed"),
             (Some(_), false) => tr!("status-saved"),
         };
-        let machine = || std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
-        let threads = if self.config.threads == 0 { machine() } else { self.config.threads };
+        let threads = threads::meant_by(self.config.threads);
         Standing { file, problems: self.doctor.lines.len(), threads }
     }
 }

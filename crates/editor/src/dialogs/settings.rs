@@ -9,6 +9,7 @@ use crate::text::{Language, tr};
 use crate::theme;
 use crate::widgets::{Field, Number, Shown, number_field, toggle};
 use eframe::egui::{Context, Ui};
+use vitrine::render::threads;
 use vitrine::scene::{ParamValue, Renderer, Settings, Value};
 
 /// The dialog «Settings».
@@ -33,7 +34,7 @@ impl SettingsDialog {
             depth: settings.depth,
             renderer: settings.renderer,
             before: around.config.clone(),
-            machine: std::thread::available_parallelism().map_or(1, std::num::NonZero::get),
+            machine: threads::of_machine(),
         }
     }
 

@@ -32,7 +32,7 @@ pub use thing::Thing;
 use edits::Draft;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use vitrine::formats::SceneFile;
+use vitrine::formats::{SceneFile, folder_of};
 use vitrine::scene::{Assets, ListName, Scene, Severity, Shape};
 
 /// A scene that is being edited. There is never one with errors in it: an edit that would make one is refused.
@@ -77,7 +77,7 @@ impl Document {
     /// A scene that was read from a file.
     #[must_use]
     pub fn opened(file: SceneFile, assets: Assets, asset_warnings: Vec<String>, path: PathBuf) -> Self {
-        let folder = folder_of(&path);
+        let folder = folder_of(&path).to_owned();
         Self { asset_warnings, path: Some(path), ..Self::untitled(file, assets, folder) }
     }
 
@@ -254,11 +254,6 @@ impl Default for Document {
         let file = SceneFile::parse(Path::new(""), "format = 1\n").expect("an empty scene has no errors");
         Self::untitled(file, Assets::default(), PathBuf::from("."))
     }
-}
-
-fn folder_of(path: &Path) -> PathBuf {
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
-    folder.unwrap_or(Path::new(".")).to_owned()
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use super::{Document, asset_files};
 use crate::files::Saved;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use vitrine::formats::SceneFile;
+use vitrine::formats::{SceneFile, folder_of};
 use vitrine::scene::Scene;
 
 impl Document {
@@ -29,7 +29,7 @@ impl Document {
             self.history.rename_files(to);
             self.revision += 1;
         }
-        self.folder = super::folder_of(&path);
+        self.folder = folder_of(&path).to_owned();
         self.path = Some(path);
         self.saved = Some(if is_as_written { self.scene.clone() } else { Arc::new(file.scene().clone()) });
         self.file = file;

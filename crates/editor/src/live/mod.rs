@@ -239,7 +239,7 @@ impl Drop for Live {
 
 fn worker(wake: Wake, compile: Compile) -> Worker {
     let shared = Arc::new(Shared::new(wake));
-    Worker { shared, compile, is_synchronous: false, pace: Pace::default() }
+    Worker { shared, compile, is_synchronous: false, pace: Pace::default(), kept: None }
 }
 
 fn compile_after(

@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 use vitrine::scene::{LightSource, Renderer, Scene, Settings};
+use vitrine::without_display;
 
 /// The first picture should be there by then.
 const SOON: Duration = Duration::from_millis(35);
@@ -25,11 +26,12 @@ pub struct Pass {
 }
 
 impl Pass {
-    /// Whether it can go on from the film of an earlier pass.
+    /// Whether it can go on from the film of an earlier pass, however that was shown.
     #[must_use]
     pub fn goes_on_from(&self, earlier: &Settings) -> bool {
         let samples = self.settings.samples;
-        earlier.samples <= samples && Settings { samples, ..earlier.clone() } == self.settings
+        let earlier_light = Settings { samples, ..without_display(earlier) };
+        earlier.samples <= samples && earlier_light == without_display(&self.settings)
     }
 }
 

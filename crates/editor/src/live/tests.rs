@@ -7,7 +7,7 @@ use vitrine::film::{Display, Film};
 use vitrine::math::{Rgb, Vec3};
 use vitrine::scene::lights::{Disc, LightSource};
 use vitrine::scene::shapes::{Plane, Sphere};
-use vitrine::scene::{Light, Material, Object, Renderer, Settings, Shape};
+use vitrine::scene::{Light, Material, Object, Renderer, Settings, Shape, View};
 use vitrine::{Cancel, RenderJob, RenderOptions, display_of};
 
 /// No test waits longer than that; none comes near it.
@@ -150,6 +150,41 @@ fn an_edit_makes_a_photoreal_picture_begin_again() {
     assert_eq!((last.generation, last.samples), (2, 256));
     // No light of the scene before is in it.
     assert!(last.rgba == picture::shown(&whole(&scene, 256), &display_of(&scene.settings), None));
+}
+
+#[test]
+fn showing_a_photoreal_picture_otherwise_loses_none_of_its_samples() {
+    let bell = Bell::default();
+    let mut live = Live::new(bell.wake());
+    let mut scene = scene([40, 30], 600);
+    scene.settings.renderer = Renderer::Photoreal;
+    let assets: Arc<Assets> = Arc::default();
+    let wish = |scene: &Scene, generation| Request {
+        size: [40, 30],
+        assets: assets.clone(),
+        ..request(scene, generation)
+    };
+    live.show(wish(&scene, 1));
+    let mut least = bell.wait(|| live.picture().filter(|p| p.samples >= 8)).samples;
+    for (generation, exposure) in (2..8).zip([1.0, -2.0, 0.5, 0.0, 3.0, 0.25]) {
+        scene.settings.exposure = exposure;
+        scene.settings.white_balance = 4000.0 + 100.0 * exposure;
+        // As a slider does: dragged, then let go.
+        live.show(Request { is_dragging: generation % 3 > 0, ..wish(&scene, generation) });
+        let next = bell.wait(|| live.picture().filter(|p| p.generation == generation));
+        assert!(next.samples >= least && next.size == [40, 30], "{} after {least}", next.samples);
+        least = next.samples;
+        bell.wait(|| live.objects().filter(|map| map.generation == generation));
+    }
+    // And the light is the same to the bit as if nobody had touched anything.
+    (scene.settings.exposure, scene.settings.view) = (1.5, Some(View::Agx));
+    live.show(wish(&scene, 8));
+    let last = bell.wait(|| live.picture().filter(|p| p.generation == 8 && p.is_final));
+    assert!(last.rgba == picture::shown(&whole(&scene, 600), &display_of(&scene.settings), None));
+    scene.settings.exposure = -1.0;
+    live.show(wish(&scene, 9));
+    let again = bell.wait(|| live.picture().filter(|p| p.generation == 9));
+    assert!(again.is_final && again.samples == 600);
 }
 
 #[test]

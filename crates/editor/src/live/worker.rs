@@ -9,8 +9,8 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use vitrine::film::Film;
-use vitrine::scene::{Renderer, Settings};
-use vitrine::{RenderJob, RenderOptions, Rendered, display_of};
+use vitrine::scene::{Renderer, Scene, Settings};
+use vitrine::{RenderJob, RenderOptions, Rendered, display_of, without_display};
 
 /// The least time between two pictures of one pass.
 const LOOK_EVERY: Duration = Duration::from_millis(100);
@@ -27,6 +27,27 @@ pub struct Worker {
     pub is_synchronous: bool,
     /// How fast pictures were lately.
     pub pace: Pace,
+    /// What there is of the live picture that was drawn last.
+    pub kept: Option<Kept>,
+}
+
+/// The light of a live picture, so that it can be shown otherwise without being made again.
+pub struct Kept {
+    request: Arc<Request>,
+    /// Those of the pass that made it.
+    settings: Settings,
+    rendered: Rendered,
+}
+
+impl Kept {
+    /// Whether another wish asks for the same light, if perhaps with another exposure, white balance or view.
+    fn serves(&self, request: &Request) -> bool {
+        let light = |scene: &Scene| Scene { settings: without_display(&scene.settings), ..scene.clone() };
+        let (before, now) = (&self.request.scene, &request.scene);
+        self.request.size == request.size
+            && Arc::ptr_eq(&self.request.assets, &request.assets)
+            && (Arc::ptr_eq(before, now) || light(before) == light(now))
+    }
 }
 
 impl Worker {
@@ -77,7 +98,9 @@ impl Worker {
     /// The passes for a wish, and the picture of the last quick one when it is there already, as it is after a drag.
     fn passes(&self, task: &LiveTask) -> (Vec<Pass>, Option<Arc<Picture>>) {
         let request = &*task.request;
-        let (size, is_dragging) = (request.size, request.is_dragging || self.is_synchronous);
+        // A drag that changes no light, such as that of the exposure, need not make the picture any coarser.
+        let is_dragging = request.is_dragging && self.kept.is_none() || self.is_synchronous;
+        let size = request.size;
         let shrink =
             if self.is_synchronous { 1 } else { self.pace.shrink(size, request.scene.settings.renderer) };
         let all = passes(&View { scene: &request.scene, size, is_dragging, shrink });
@@ -91,35 +114,49 @@ impl Worker {
     fn draw(&mut self, task: &LiveTask) -> Result<(), LiveError> {
         let ready = self.ready(&task.request)?;
         self.shared.state().status.error = None;
+        self.kept = self.kept.take().filter(|kept| kept.serves(&task.request));
         let (all, last) = self.passes(task);
-        let done = if last.is_some() { all.iter().filter(|pass| pass.is_quick).count() } else { 0 };
+        let mut done = if last.is_some() { all.iter().filter(|pass| pass.is_quick).count() } else { 0 };
         if last.is_some() {
             self.map_objects(task, &ready);
         }
         let first_after = last.as_ref().map(|p| p.first_picture_after);
         let mut drawing = Drawing { task, passes: &all, first_after, last };
-        let mut so_far: Option<(&Settings, Rendered)> = None;
+        if let Some((index, film)) = self.kept_at(&all) {
+            drawing.publish(&self.shared, (index, &all[index]), film);
+            self.map_objects(task, &ready);
+            done = index;
+        }
         for (index, pass) in all.iter().enumerate().skip(done) {
             let options = RenderOptions { settings: pass.settings.clone(), region: None };
             let job = RenderJob::new(&ready.compiled, options)?;
-            let begun = match so_far.take() {
-                Some((earlier, rendered)) if pass.goes_on_from(earlier) => rendered,
+            let begun = match self.kept.take() {
+                Some(kept) if pass.goes_on_from(&kept.settings) => kept.rendered,
                 _ => job.nothing_yet(),
             };
             let rendered = self.pass(&job, begun, (index, pass), &mut drawing)?;
-            if !rendered.is_complete() || self.shared.is_stale(task) && drawing.last.is_some() {
-                return Ok(());
+            let is_pointless = self.shared.is_stale(task) && drawing.last.is_some();
+            let is_shown = rendered.is_complete() && !is_pointless;
+            if is_shown {
+                drawing.publish(&self.shared, (index, pass), &rendered.film);
             }
-            drawing.publish(&self.shared, (index, pass), &rendered.film);
-            if index == 0 {
+            let (request, settings) = (task.request.clone(), pass.settings.clone());
+            self.kept = Some(Kept { request, settings, rendered });
+            if is_shown && index == 0 {
                 self.map_objects(task, &ready);
             }
-            if self.shared.is_stale(task) {
-                return Ok(());
+            if !is_shown || self.shared.is_stale(task) {
+                break;
             }
-            so_far = Some((&pass.settings, rendered));
         }
         Ok(())
+    }
+
+    /// Which pass goes on from what is kept of an earlier picture, and that; None where it has not got a sample everywhere.
+    fn kept_at(&self, passes: &[Pass]) -> Option<(usize, &Film)> {
+        let kept = self.kept.as_ref().filter(|kept| fewest_samples(&kept.rendered.film) > 0)?;
+        let index = passes.iter().position(|pass| pass.goes_on_from(&kept.settings))?;
+        Some((index, &kept.rendered.film))
     }
 
     /// Renders one pass and shows it while it grows.

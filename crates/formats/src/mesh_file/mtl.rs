@@ -9,9 +9,10 @@
 //! | Tf | `transmission_color`, where it is transparent |
 //! | Ni, with illum 4, 6 or 7 | `refraction` |
 //! | Ks, with illum 3 to 9 | its mean: `reflectivity` |
+//! | Ke | its largest number: `emission_luminance`; its hue: `emission_color` |
 //! | map_Kd | the picture in place of the colour |
 //!
-//! Numbers out of range are brought into it. Everything else (Ka, Ke, bump, …) is left out.
+//! Numbers out of range are brought into it. Everything else (Ka, bump, …) is left out.
 
 use super::lines::{Lines, number, quote};
 use crate::FormatError;
@@ -65,6 +66,7 @@ struct Entry {
     name: String,
     kd: Option<Rgb>,
     ks: Option<Rgb>,
+    ke: Option<Rgb>,
     tf: Option<Rgb>,
     ns: Option<f32>,
     ni: Option<f32>,
@@ -80,6 +82,7 @@ impl Entry {
         match word {
             "Kd" => self.kd = Some(color(rest)?),
             "Ks" => self.ks = Some(color(rest)?),
+            "Ke" => self.ke = Some(light(rest)?),
             "Tf" => self.tf = Some(color(rest)?),
             "Ns" => self.ns = Some(last_number(rest)?),
             "Ni" => self.ni = Some(last_number(rest)?),
@@ -96,6 +99,8 @@ impl Entry {
     fn into_material(self) -> MeshMaterial {
         let illum = self.illum.unwrap_or(2);
         let ks = self.ks.map(|c| (c.r + c.g + c.b) / 3.0);
+        // Many programs write "Ke 0 0 0" into every material.
+        let emission = self.ke.map(|ke| (ke, ke.r.max(ke.g).max(ke.b))).filter(|(_, most)| *most > 0.0);
         let transparency = self.d.map(|d| 1.0 - d).or(self.tr).filter(|t| *t != 0.0);
         let material = Material {
             name: self.name,
@@ -107,6 +112,8 @@ impl Entry {
             transparency: into_range("transparency", transparency),
             transmission_color: self.tf.filter(|_| transparency.is_some()),
             refraction: into_range("refraction", self.ni.filter(|_| matches!(illum, 4 | 6 | 7))),
+            emission_luminance: emission.map(|(_, most)| most),
+            emission_color: emission.map(|(ke, most)| Rgb::new(ke.r / most, ke.g / most, ke.b / most)),
             ..Material::default()
         };
         MeshMaterial { material, picture: self.map_kd }
@@ -124,7 +131,17 @@ fn into_range(name: &str, value: Option<f32>) -> Option<f32> {
 
 /// "r g b" or one number for all, brought into 0 to 1. None for spectra and colours as XYZ too.
 fn color(rest: &str) -> Option<Rgb> {
-    let mut words = rest.split_ascii_whitespace().map(|w| number(w).map(|v| v.clamp(0.0, 1.0)));
+    three(rest, 1.0)
+}
+
+/// The same of any brightness.
+fn light(rest: &str) -> Option<Rgb> {
+    three(rest, f32::MAX)
+}
+
+/// "r g b" or one number for all, brought into 0 to `most`.
+fn three(rest: &str, most: f32) -> Option<Rgb> {
+    let mut words = rest.split_ascii_whitespace().map(|w| number(w).map(|v| v.clamp(0.0, most)));
     let r = words.next()??;
     let g = words.next().unwrap_or(Some(r))?;
     let b = words.next().unwrap_or(Some(r))?;
@@ -198,6 +215,19 @@ mod tests {
         assert_eq!(m.specular, Some(0.0));
         let mirror = one("newmtl m\nKs 0.5 0.5 0.5\nNi 1.5\nillum 3").material;
         assert_eq!((mirror.reflectivity, mirror.refraction), (Some(0.5), None));
+    }
+
+    #[test]
+    fn what_shines_has_a_brightness_and_a_hue() {
+        let lamp = one("newmtl lamp\nKd 1 1 1\nKe 10 5 0").material;
+        assert_eq!(lamp.emission_luminance, Some(10.0));
+        assert_eq!(lamp.emission_color, Some(Rgb::new(1.0, 0.5, 0.0)));
+        let grey = one("newmtl m\nKe 0.25").material;
+        assert_eq!((grey.emission_luminance, grey.emission_color), (Some(0.25), Some(Rgb::WHITE)));
+        for dark in ["Ke 0 0 0", "Ke -1 -2 0"] {
+            let m = one(&format!("newmtl m\n{dark}")).material;
+            assert_eq!((m.emission_luminance, m.emission_color), (None, None), "{dark}");
+        }
     }
 
     #[test]

@@ -31,7 +31,8 @@ impl Accel {
 
     /// Finds the nearest hits of rays in lanes.
     #[inline(always)]
-    fn find<S: Rays>(&self, s: S, rays: &Packet<S>, nearest: Nearest<S>) -> Nearest<S> {
+    fn find<S: Rays>(&self, s: S, rays: &Packet<S>, mut nearest: Nearest<S>) -> Nearest<S> {
+        nearest.active = s.and(nearest.active, rays.in_range(s));
         let mut level = SceneLevel { accel: self, receive: nearest };
         let anywhere = s.splat(f32::NEG_INFINITY);
         for p in &self.planes {

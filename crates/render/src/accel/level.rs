@@ -64,15 +64,16 @@ impl<'a, S: Rays, R: Receive<S>> Level<S> for SceneLevel<'a, R> {
             }
             _ => {
                 for instance in &accel.instances[first..first + count] {
-                    let inside = if instance.is_in_place() {
-                        *packet
+                    let (inside, mask) = if instance.is_in_place() {
+                        (*packet, entry.mask)
                     } else {
-                        packet.transformed(s, &instance.mesh_from_world)
+                        let inside = packet.transformed(s, &instance.mesh_from_world);
+                        (inside, s.and(entry.mask, inside.in_range(s)))
                     };
-                    let inner = receive.narrowed(s, entry.mask);
+                    let inner = receive.narrowed(s, mask);
                     let mut level = MeshLevel { instance, from: entry.near, receive: inner };
                     s.walk(&instance.mesh.tree.nodes, &inside, &mut level);
-                    receive.widen(s, level.receive, entry.mask);
+                    receive.widen(s, level.receive, mask);
                 }
             }
         }

@@ -29,7 +29,7 @@ impl Accel {
     /// Which rays in lanes meet a surface. Lanes with `t_max ≤ 0` shoot no ray.
     #[inline(always)]
     fn blocked<S: Rays>(&self, s: S, rays: &Packet<S>, t_max: S::F) -> S::M {
-        let all = s.lt(s.splat(0.0), t_max);
+        let all = s.and(s.lt(s.splat(0.0), t_max), rays.in_range(s));
         let mut level = SceneLevel { accel: self, receive: Open { t_max, open: all } };
         for p in &self.planes {
             let t = plane::distance(s, rays, p);

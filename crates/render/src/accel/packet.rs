@@ -41,6 +41,17 @@ impl<S: Simd> Packet<S> {
         Self::new(s, moved(s, to, &self.o), turned(s, to, &self.d))
     }
 
+    /// The rays whose numbers are in the range of floats. The others are no rays and must not go with them: what is bounded for all
+    /// rays of a packet at once would not hold.
+    #[inline(always)]
+    pub fn in_range(&self, s: S) -> S::M {
+        let ([a, b, c], [x, y, z]) = (self.o, self.d);
+        let origin = s.add(s.add(s.abs(a), s.abs(b)), s.abs(c));
+        let direction = s.add(s.add(s.abs(x), s.abs(y)), s.abs(z));
+        // Infinite or NaN as soon as one of them is.
+        s.lt(s.add(origin, direction), s.splat(f32::INFINITY))
+    }
+
     /// Which rays pass a child's box between `t_min` and `t_max`, and where they enter it, which may be behind their origins.
     /// Never misses for want of precision: the far side is rounded up (Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013).
     ///

@@ -157,7 +157,7 @@ impl<E: Simd> Rays for One<E> {
 
     #[inline(always)]
     fn walk<L: Level<Self>>(self, nodes: &[Node], ray: &Packet<Self>, level: &mut L) {
-        if !nodes.is_empty() {
+        if !nodes.is_empty() && level.receive().active(self) {
             walk_alone(self, nodes, ray, level, 0);
         }
     }

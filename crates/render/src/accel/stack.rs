@@ -37,14 +37,11 @@ impl<T: Copy> Stack<'_, T> {
         self.top
     }
 
-    /// Puts a value on top, if there is room. Trees are built to leave it for every ray that has a place and a direction; of rays
-    /// whose arithmetic leaves the range of floats, what finds no room is lost.
+    /// Puts a value on top. Panics when there is no room, which trees are built to leave.
     #[inline(always)]
     pub const fn push(&mut self, value: T) {
-        if self.top < self.places.len() {
-            self.places[self.top].write(value);
-            self.top += 1;
-        }
+        self.places[self.top].write(value);
+        self.top += 1;
     }
 
     /// Takes the value on top.

@@ -333,4 +333,5 @@ fn a_hit_does_not_depend_on_the_rays_beside_it() {
     }
 }
 
+mod beyond;
 mod edge_on;

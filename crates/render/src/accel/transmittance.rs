@@ -40,7 +40,7 @@ impl<S: Rays> Kernel for PacketTransmittance<'_, S> {
     #[inline(always)]
     fn run<E: Rays>(self, _: E) -> S::F {
         let Self { accel, s, packet, t_max } = self;
-        let alive = s.lt(s.splat(0.0), t_max);
+        let alive = s.and(s.lt(s.splat(0.0), t_max), packet.in_range(s));
         let mut receive = Light { accel, passes: s.splat(1.0), t_max, alive };
         for p in &accel.planes {
             let t = plane::distance(s, packet, p);

@@ -1,6 +1,6 @@
 //! Objects as primitives that rays can hit.
 
-use super::limits::{is_near_enough, is_wide_enough};
+use super::limits::{is_little_stretched, is_near_enough, is_wide_enough};
 use super::materials::MaterialTable;
 use super::models::Models;
 use super::overlapping::Placed;
@@ -198,7 +198,8 @@ impl Collection {
             Form::Plane { point, n } => (is_near_enough(&Bounds3::around([*point])) && n.is_finite(), true),
             Form::Disc { unit, n } => (true, is_wide_enough(unit) && n.is_finite()),
             Form::Box { unit } | Form::Ellipsoid { unit } => (true, is_wide_enough(unit)),
-            Form::Sphere { .. } | Form::Triangle { .. } | Form::Mesh { .. } => (true, true),
+            Form::Mesh { .. } => (is_little_stretched(transform), true),
+            Form::Sphere { .. } | Form::Triangle { .. } => (true, true),
         };
         let object = || object.name.clone();
         if !(is_near && (bounds.is_empty() || is_near_enough(&bounds))) {

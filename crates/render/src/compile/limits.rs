@@ -36,6 +36,12 @@ pub fn is_wide_enough(transform: &Transform) -> bool {
         && m.translation.is_finite()
 }
 
+/// Whether normals of a model come into the world as numbers. Its box does not tell: what has no thickness can be stretched to any.
+pub fn is_little_stretched(transform: &Transform) -> bool {
+    let m = transform.world_from_object.matrix3;
+    [m.x_axis, m.y_axis, m.z_axis].iter().all(|axis| axis.abs().max_element() <= STEEPEST)
+}
+
 /// A colour or a light that is no brighter than products and sums allow.
 pub fn dimmed(color: Rgb) -> Rgb {
     Rgb::from(color.to_array().map(|c| c.min(BRIGHTEST)))

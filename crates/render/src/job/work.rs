@@ -5,6 +5,7 @@ use super::merge::Merge;
 use super::plan::Plan;
 use super::{Cancel, Clock, RenderJob, Rendered};
 use crate::integrators::{TileTask, Workshop};
+use crate::threads;
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 use vitrine_film::Keep;
@@ -19,8 +20,7 @@ pub struct Crew<'c> {
 impl<'c> Crew<'c> {
     /// So many threads; 0: as many as the machine has.
     pub fn new(threads: usize, cancel: &'c Cancel) -> Self {
-        let machine = || std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
-        let threads = if threads == 0 { machine() } else { threads };
+        let threads = threads::meant_by(threads);
         Self { workshops: (0..threads).map(|_| Workshop::default()).collect(), cancel }
     }
 }

@@ -236,6 +236,23 @@ fn a_disc_may_be_stretched_across_itself_as_far_as_numbers_go() {
     assert_eq!(error(&shot), CompileError::OutOfRange { object: "giant".into() });
 }
 
+/// Its normals were no numbers, and so was the picture.
+#[test]
+fn a_flat_model_is_not_stretched_across_itself_beyond_numbers() {
+    for (size, is_refused) in [(1e17_f32, false), (1e19, true), (3.4e38, true)] {
+        let mut shot = Shot::probe(v(0.3, 2.0, 0.1), v(0.2, 0.0, 0.0));
+        let square = shot.model(models::square());
+        let object = shot.put(square, flat(GREEN));
+        (object.name, object.scale) = ("giant".into(), v(2.0, size, 2.0));
+        shot.ambient(1.0);
+        if is_refused {
+            assert_eq!(error(&shot), CompileError::OutOfRange { object: "giant".into() });
+        } else {
+            assert_eq!(shot.pixel(), GREEN);
+        }
+    }
+}
+
 #[test]
 fn what_is_too_thin_is_refused_by_name() {
     for size in [1e-19_f32, 1e-30, 1e-38, 1e-45] {

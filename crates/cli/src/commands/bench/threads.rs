@@ -1,7 +1,7 @@
 //! `vitrine bench threads`: time against the number of threads (course work, section 4.1).
 
 use crate::failure::{Exit, Failure};
-use crate::flags::{SettingFlags, cores};
+use crate::flags::SettingFlags;
 use crate::picture;
 use crate::progress::Bar;
 use crate::report::Report;
@@ -10,6 +10,7 @@ use crate::{console, draw, interrupt, output, values};
 use clap::Args;
 use std::path::PathBuf;
 use std::time::Duration;
+use vitrine::render::threads::of_machine;
 use vitrine::templates::{Existing, Template};
 use vitrine::{Cancel, Progress, Project, formats};
 
@@ -83,7 +84,7 @@ impl Threads {
             "{}, {width} × {height} pixels, median of {}, {}\n\n{}",
             project.name(),
             self.repeats,
-            vitrine::summary::plural(cores() as u64, "core"),
+            vitrine::summary::plural(of_machine() as u64, "core"),
             table(&measured)
         ))?;
         if let Some(path) = &self.csv {
@@ -113,7 +114,7 @@ impl Threads {
     fn counts(&self) -> Vec<usize> {
         let mut counts = self.threads.clone();
         if counts.is_empty() {
-            counts.extend(1..=2 * cores());
+            counts.extend(1..=2 * of_machine());
         }
         counts.push(1);
         counts.sort_unstable();

@@ -2,8 +2,8 @@
 
 use super::{Area, BLUE, Chart, Drawn, GREY, GRID, Style};
 use crate::commands::Measured;
-use crate::flags::cores;
 use plotters::prelude::*;
+use vitrine::render::threads::of_machine;
 use vitrine::summary::plural;
 
 /// The median times against the number of threads, and the ideal: the time of one thread divided by their number, as far
@@ -50,11 +50,11 @@ impl Chart for Threads<'_> {
         let first = points.first().map_or(0.0, |p| p.1);
         let ideal = (0..=200)
             .map(|i| 1.0 + (most - 1.0) * f64::from(i) / 200.0)
-            .map(move |threads| (threads, first / threads.min(cores() as f64)));
+            .map(move |threads| (threads, first / threads.min(of_machine() as f64)));
         let (dash, gap) = (8 * style.scale, 6 * style.scale);
         chart
             .draw_series(DashedLineSeries::new(ideal, dash, gap, style.line(GREY, 2)))?
-            .label(format!("Ideal on {}", plural(cores() as u64, "core")))
+            .label(format!("Ideal on {}", plural(of_machine() as u64, "core")))
             .legend(style.legend(style.line(GREY, 2)));
         chart
             .draw_series(LineSeries::new(points.iter().copied(), style.line(BLUE, 3)))?

@@ -9,7 +9,8 @@ pub const WIDTH: usize = 8;
 /// Eight children with their boxes; 256 bytes.
 ///
 /// Rows 0 to 5 are the boxes' bounds: lower x, upper x, lower y, upper y, lower z, upper z. Rows 6 and 7 hold integers, as
-/// the bits of floats: what each child is. Places without a child have a box that no ray meets.
+/// the bits of floats: what each child is. Places without a child have a box that no ray meets, and are leaves of nothing: a ray
+/// whose numbers leave the range of floats may enter any box, and must still come to an end.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 pub struct Node {
@@ -21,7 +22,7 @@ pub struct Node {
 pub struct Child {
     /// Another node's index, or the number that the leaf was given.
     pub first: u32,
-    /// A leaf: how many primitives (not 0), with the kind in the upper byte. Another node: 0.
+    /// A leaf: how many primitives (0 in a place without a child), with the kind in the upper byte. Another node: 0.
     pub tag: u32,
 }
 
@@ -30,6 +31,9 @@ const TAG: usize = 7;
 const COUNT_BITS: u32 = 24;
 
 impl Child {
+    /// What stands where there is no child: a leaf of nothing, whatever its kind.
+    pub(super) const NONE: Self = Self::leaf(0, 0, u8::MAX);
+
     /// Another node.
     pub(super) const fn node(index: u32) -> Self {
         Self { first: index, tag: 0 }
@@ -64,10 +68,10 @@ impl Child {
 
 impl Node {
     /// A node without children.
-    pub(super) const EMPTY: Self = {
+    pub(in crate::accel) const EMPTY: Self = {
         let (low, high) = ([f32::INFINITY; WIDTH], [f32::NEG_INFINITY; WIDTH]);
-        let none = [0.0; WIDTH];
-        Self { rows: [low, high, low, high, low, high, none, none] }
+        let (first, tag) = (f32::from_bits(Child::NONE.first), f32::from_bits(Child::NONE.tag));
+        Self { rows: [low, high, low, high, low, high, [first; WIDTH], [tag; WIDTH]] }
     };
 
     /// Puts a child into a place.
@@ -92,7 +96,7 @@ impl Node {
 
     /// Whether a place is as it is without a child.
     pub(super) fn is_vacant(&self, place: usize) -> bool {
-        self.bounds(place) == Bounds3::EMPTY && self.child(place) == Child { first: 0, tag: 0 }
+        self.bounds(place) == Bounds3::EMPTY && self.child(place) == Child::NONE
     }
 
     /// A child's box; empty where there is none.

@@ -264,27 +264,18 @@ fn a_tree_that_is_too_deep_to_walk_is_found() {
         let bounds = m.bounds();
         let below = std::mem::take(&mut m.tree.nodes);
         let rungs = STACK / (WIDTH - 1) + 1;
-        m.tree.nodes = vec![below[0]; rungs];
+        m.tree.nodes = vec![Node::EMPTY; rungs];
         for (i, node) in m.tree.nodes.iter_mut().enumerate() {
-            for place in 0..WIDTH {
-                for row in 0..8 {
-                    node.rows[row][place] = match row {
-                        6 | 7 => 0.0,
-                        _ if row % 2 == 0 => f32::INFINITY,
-                        _ => f32::NEG_INFINITY,
-                    };
-                }
-            }
             for axis in 0..3 {
                 node.rows[2 * axis][0] = bounds.min[axis];
                 node.rows[2 * axis + 1][0] = bounds.max[axis];
             }
-            node.rows[6][0] = f32::from_bits(i as u32 + 1);
+            (node.rows[6][0], node.rows[7][0]) = (f32::from_bits(i as u32 + 1), 0.0);
         }
         m.tree.nodes.extend(below.into_iter().map(|mut node| {
             for place in 0..WIDTH {
                 let child = node.child(place);
-                if !node.bounds(place).is_empty() && !child.is_leaf() {
+                if !child.is_leaf() {
                     node.rows[6][place] = f32::from_bits(child.first + rungs as u32);
                 }
             }
