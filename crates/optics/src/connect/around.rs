@@ -119,13 +119,21 @@ impl Around {
     }
 
     /// Whether a direction at the receiver points away from the centre.
-    pub(super) fn leaves_x(&self, w: DVec3) -> bool {
+    pub(super) fn leaves(&self, w: DVec3) -> bool {
         self.x.dot(w) > 0.0
     }
 
-    /// Whether a direction at the light points away from the centre.
-    pub(super) fn leaves_y(&self, w: DVec3) -> bool {
-        self.y.dot(w) > 0.0
+    /// How far beside the light, as an angle seen from the centre, a path along `legs` ends that leaves the receiver along `wx`
+    /// with Bouguer's constant `b`.
+    pub(super) fn off_light(&self, legs: &Legs, b: f64, wx: DVec3) -> f64 {
+        let (mut u, mut v, mut from) = (1.0, 0.0, self.rx);
+        for leg in legs.as_slice() {
+            let (s, c) = swept(b, leg, from);
+            (u, v) = (u * c - v * s, u * s + v * c);
+            from = leg.to;
+        }
+        let side = self.ex.dot(wx).signum();
+        (u - self.between.unit.cos).hypot(v * side - self.between.unit.sin)
     }
 
     /// Bouguer's constant of a path that leaves the receiver so in a medium of the index `n`: n ρ sin(angle with the radius).

@@ -52,6 +52,12 @@ impl Deed {
         }
     }
 
+    /// Whether the path comes to the surface from within.
+    #[must_use]
+    pub const fn is_from_inside(self) -> bool {
+        self.sides().0
+    }
+
     /// Whether the light is reflected.
     #[must_use]
     pub const fn reflects(self) -> bool {
@@ -63,7 +69,7 @@ impl Deed {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Meeting {
     /// Which one.
-    pub shell: usize,
+    pub shell: u8,
     /// What happens.
     pub deed: Deed,
 }
@@ -96,7 +102,7 @@ impl Course {
     /// Through the surfaces around this one, and off its outside. Neither end lies within it.
     #[must_use]
     pub fn back([i, j]: [usize; 2], mirror: usize) -> Option<Self> {
-        let off = Meeting { shell: mirror, deed: Deed::Off };
+        let off = meeting(mirror, Deed::Off);
         Self::new(inwards(i, mirror).chain([off]).chain(outwards(mirror, j)))
     }
 
@@ -104,7 +110,7 @@ impl Course {
     /// closest to the centre, or as many as the end is.
     #[must_use]
     pub fn echo([i, j]: [usize; 2], mirror: usize, [first, second]: [usize; 2]) -> Option<Self> {
-        let echo = Meeting { shell: mirror, deed: Deed::Echo };
+        let echo = meeting(mirror, Deed::Echo);
         let to = inwards(i, first).chain(outwards(first, mirror + 1));
         Self::new(to.chain([echo]).chain(inwards(mirror + 1, second)).chain(outwards(second, j)))
     }
@@ -117,14 +123,18 @@ impl Course {
     }
 }
 
+const fn meeting(shell: usize, deed: Deed) -> Meeting {
+    Meeting { shell: shell as u8, deed }
+}
+
 /// From within `from` surfaces inwards until within `to`.
 fn inwards(from: usize, to: usize) -> impl Iterator<Item = Meeting> {
-    (from..to).map(|shell| Meeting { shell, deed: Deed::Enter })
+    (from..to).map(|shell| meeting(shell, Deed::Enter))
 }
 
 /// From within `from` surfaces outwards until within `to`.
 fn outwards(from: usize, to: usize) -> impl Iterator<Item = Meeting> {
-    (to..from).rev().map(|shell| Meeting { shell, deed: Deed::Leave })
+    (to..from).rev().map(|shell| meeting(shell, Deed::Leave))
 }
 
 /// Adds every chain of this course between `x` and the light to `out`; a distant light is outside of all shells.
@@ -189,13 +199,14 @@ impl<'a> Pair<'a> {
             legs.push(self.index(within), to, run).then_some(())
         };
         for meeting in course.meetings() {
-            let shell = shells.get(meeting.shell)?;
+            let number = usize::from(meeting.shell);
+            let shell = shells.get(number)?;
             let (from_inside, on_inside) = meeting.deed.sides();
-            if within != meeting.shell + usize::from(from_inside) {
+            if within != number + usize::from(from_inside) {
                 return None;
             }
             push(within, shell.radius, run_of[usize::from(from_inside)])?;
-            within = meeting.shell + usize::from(on_inside);
+            within = number + usize::from(on_inside);
             // From the inside of a surface to a smaller one or to its own inside; from the outside outwards only.
             run_of = if on_inside { [Run::In, Run::Through] } else { [Run::Out, Run::Out] };
         }
@@ -210,35 +221,30 @@ fn on_place(r: f64, shells: &[Shell], within: usize) -> Option<f64> {
     shells.get(within).map_or(Some(r), |s| on_side(r, s.radius, false))
 }
 
-/// A path that a ray has found: how it leaves the receiver and how it comes to the light.
-#[derive(Clone, Copy, Debug)]
-pub struct Known {
-    /// The unit direction at the receiver towards the first vertex.
-    pub wx: DVec3,
-    /// The unit direction at the light towards the last vertex.
-    pub wy: DVec3,
-}
-
 impl Pair<'_> {
-    /// The spread of a path that is known already, in 1/m² (without a unit for a distant light): no root is searched. None
-    /// where it is not finite, at the caustic.
+    /// The spread of a path of this course that is known already and leaves the receiver along the unit vector `wx`, in 1/m²
+    /// (without a unit for a distant light): no root is searched. None where it is not finite, at the caustic.
     #[must_use]
-    pub fn spread_of(&self, known: &Known, course: &Course) -> Option<f64> {
+    pub fn spread_of(&self, wx: DVec3, course: &Course) -> Option<f64> {
         let [first, last] = [course.meetings().first()?, course.meetings().last()?];
         let around = &self.around;
         let first_run = match first.deed.sides().0 {
             false => Run::In,
-            true if around.leaves_x(known.wx) => Run::Out,
+            true if around.leaves(wx) => Run::Out,
             true => Run::Through,
         };
-        let last_run = match last.deed.sides().1 {
-            false => Run::Out,
-            true if around.leaves_y(known.wy) => Run::In,
-            true => Run::Through,
-        };
-        let (legs, _) = self.legs(course, (first_run, last_run))?;
-        let spread = around.known_spread(&legs, around.bouguer(self.index(self.nest.within[0]), known.wx));
-        (spread.is_finite() && spread >= 0.0).then_some(spread)
+        let lasts: &[Run] = if last.deed.sides().1 { &[Run::In, Run::Through] } else { &[Run::Out] };
+        let b = around.bouguer(self.index(self.nest.within[0]), wx);
+        let mut best = (f64::INFINITY, None);
+        for &last_run in lasts {
+            let Some((legs, _)) = self.legs(course, (first_run, last_run)) else { continue };
+            // Where there are two, the one that comes to the light.
+            let off = if lasts.len() > 1 { around.off_light(&legs, b, wx) } else { 0.0 };
+            if off < best.0 {
+                best = (off, Some(around.known_spread(&legs, b)));
+            }
+        }
+        best.1.filter(|spread| spread.is_finite() && *spread >= 0.0)
     }
 }
 

@@ -3,7 +3,7 @@
 
 use vitrine_math::DVec3;
 
-use super::shells::{Course, Deed, Known, Meeting, Nest, Pair, Shell};
+use super::shells::{Course, Deed, Meeting, Nest, Pair, Shell};
 use super::{Chains, Target};
 
 /// A ball.
@@ -68,8 +68,8 @@ pub fn connect(x: DVec3, target: Target, ball: &Ball, way: Way, out: &mut Chains
 
 /// The spread of a path through a ball that is known already; see [`Pair::spread_of`].
 #[must_use]
-pub fn spread_of(x: DVec3, target: Target, known: &Known, (ball, way): (&Ball, Way)) -> Option<f64> {
-    with(x, target, ball, way, |pair, course| pair.spread_of(known, course)).flatten()
+pub fn spread_of(x: DVec3, wx: DVec3, target: Target, ball: &Ball, way: Way) -> Option<f64> {
+    with(x, target, ball, way, |pair, course| pair.spread_of(wx, course)).flatten()
 }
 
 fn with<T>(

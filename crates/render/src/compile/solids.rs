@@ -6,6 +6,7 @@
 //! priorities inferred).
 
 use super::geometry::{Form, Primitive};
+use super::nests::Nest;
 use super::physical::Substance;
 use vitrine_math::{Bounds3, Ray, Rgb, Vec3};
 
@@ -101,6 +102,8 @@ pub struct Solids {
     by_primitive: Vec<u16>,
     /// Those with a clear surface and a form through which connections can be solved.
     clear: Vec<u16>,
+    /// The balls among those.
+    nests: Vec<Nest>,
 }
 
 /// A solid to be.
@@ -135,6 +138,11 @@ impl Solids {
         for (rank, index) in order.into_iter().enumerate() {
             all.list[index].rank = rank as u32;
         }
+        let ball = |&index: &u16| match all.list[usize::from(index)].piece {
+            Some(Piece::Ball { center, radius }) => Some((index, center, radius)),
+            _ => None,
+        };
+        all.nests = Nest::all(all.clear.iter().filter_map(ball));
         all
     }
 
@@ -185,6 +193,13 @@ impl Solids {
     /// Forgets which ones are clear, so that no connection is solved through any.
     pub fn forget_clear(&mut self) {
         self.clear.clear();
+        self.nests.clear();
+    }
+
+    /// The clear balls, each with those around the same centre.
+    #[inline]
+    pub fn nests(&self) -> &[Nest] {
+        &self.nests
     }
 
     /// Whether there is none.

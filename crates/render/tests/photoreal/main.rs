@@ -9,6 +9,7 @@ mod furnace;
 mod job;
 mod lamps;
 mod panes;
+mod shells;
 #[path = "../classic/common.rs"]
 #[expect(dead_code, reason = "the classic renderer's tests use the rest")]
 mod shots;

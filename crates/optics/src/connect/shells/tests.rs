@@ -34,7 +34,7 @@ fn place(dice: &mut Dice, center: DVec3, shells: &[Shell], within: usize) -> DVe
 /// What a ray meets on a course.
 fn events(nest: &Nest<'_>, course: &Course) -> Vec<Event> {
     let event_at = |meeting: &Meeting| {
-        let s = nest.shells[meeting.shell];
+        let s = nest.shells[usize::from(meeting.shell)];
         let surface = Surface::Ball { center: nest.center, radius: s.radius };
         // Equal indices would be taken for a mirror.
         match meeting.deed {
@@ -197,7 +197,7 @@ fn a_known_path_has_the_spread_that_the_search_gives() {
             out.clear();
             pair.connect(&course, &mut out);
             for chain in out.as_slice() {
-                let spread = pair.spread_of(&Known { wx: chain.wx, wy: chain.wy }, &course).unwrap();
+                let spread = pair.spread_of(chain.wx, &course).unwrap();
                 let steep = steepness(chain, &events(&nest, &course));
                 if steep > 1e-2 {
                     compared += 1;

@@ -189,8 +189,7 @@ fn a_known_path_has_the_spread_that_the_search_gives() {
             out.clear();
             connect(x, target, &ball, way, &mut out);
             for chain in out.as_slice() {
-                let known = Known { wx: chain.wx, wy: chain.wy };
-                let spread = spread_of(x, target, &known, (&ball, way)).unwrap();
+                let spread = spread_of(x, chain.wx, target, &ball, way).unwrap();
                 let error = (spread / chain.spread - 1.0).abs();
                 let steep = steepness(chain, &events(&ball, way));
                 assert!(error < 1e-5 || steep < 1e-2, "{way:?} {k}: {spread} against {}", chain.spread);

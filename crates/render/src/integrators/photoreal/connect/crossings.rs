@@ -1,6 +1,7 @@
 //! The faces of clear solids that the straight line from x to y crosses: they say through which a connection is looked for.
 
 use super::super::chain::Face;
+use super::super::media::Media;
 use super::{Ends, Step, Steps};
 use crate::compile::{Piece, Solids};
 use vitrine_math::{DVec3, Vec3};
@@ -27,6 +28,7 @@ struct Crossing {
 pub struct Crossings {
     all: Vec<Crossing>,
     steps: Option<Steps>,
+    there: Media,
 }
 
 impl Crossings {
@@ -45,6 +47,11 @@ impl Crossings {
     /// The surfaces, one behind the other, at which light is bent; None when one of them is round or there are too many.
     pub const fn steps(&self) -> Option<&Steps> {
         self.steps.as_ref()
+    }
+
+    /// What holds y, seen from the side from which the line comes.
+    pub const fn there(&self) -> Media {
+        self.there
     }
 
     fn walk(&mut self, solids: &Solids, ends: &Ends) {
@@ -71,6 +78,7 @@ impl Crossings {
             }
         }
         self.steps = steps;
+        self.there = media;
     }
 
     fn cross(&mut self, solid: u16, piece: &Piece, ends: &Ends) {
