@@ -19,6 +19,8 @@ pub struct Nest {
     pub center: Vec3,
     /// Each one's solid and its radius, metres, from the largest to the smallest.
     pub balls: Vec<(u16, f32)>,
+    /// Whether another solid may cut the outermost one, so that different things are outside of it in different places.
+    pub is_cut: bool,
 }
 
 impl Nest {
@@ -33,7 +35,7 @@ impl Nest {
             match nests.iter().position(is_same) {
                 Some(same) => nests[same].balls.push((solid, radius)),
                 None if nests.len() == MOST_NESTS => {}
-                None => nests.push(Self { center, balls: vec![(solid, radius)] }),
+                None => nests.push(Self { center, balls: vec![(solid, radius)], is_cut: false }),
             }
         }
         for nest in &mut nests {

@@ -12,6 +12,8 @@ use vitrine_math::{Bounds3, Ray, Rgb, Vec3};
 
 /// No solid.
 pub const AIR: u16 = u16::MAX;
+/// Balls and blocks that reach into each other by less than this share of the ball only touch.
+const TOUCH: f32 = 1e-5;
 /// The most solids that are told apart; what comes after them is taken for thin walls.
 const MOST: usize = u16::MAX as usize;
 
@@ -81,6 +83,25 @@ impl Piece {
         }
     }
 
+    /// Whether its surface cuts that of a ball; not if they touch.
+    pub fn cuts(&self, center: Vec3, radius: f32) -> bool {
+        let radius = radius * (1.0 - TOUCH);
+        match self {
+            Self::Ball { center: other, radius: of_other } => {
+                let apart = (center - *other).length();
+                apart < radius + of_other && apart > (radius - of_other).abs()
+            }
+            Self::Below { n, offset } => (n.dot(center) - offset).abs() < radius,
+            Self::Block { center: other, axes, half } => {
+                let local = center - *other;
+                let beyond: [f32; 3] = std::array::from_fn(|k| axes[k].dot(local).abs() - half[k]);
+                let outside = Vec3::from_array(beyond.map(|d| d.max(0.0))).length();
+                let nearest = beyond.iter().fold(f32::NEG_INFINITY, |a, b| a.max(*b));
+                if nearest > 0.0 { outside < radius } else { -nearest < radius }
+            }
+        }
+    }
+
     /// Whether a point is in it.
     pub fn holds(&self, p: Vec3) -> bool {
         match self {
@@ -143,6 +164,14 @@ impl Solids {
             _ => None,
         };
         all.nests = Nest::all(all.clear.iter().filter_map(ball));
+        for nest in &mut all.nests {
+            let others = || (0..).zip(&all.list).filter(|(index, _)| !nest.holds(*index));
+            nest.is_cut = others().any(|(_, other)| match &other.piece {
+                Some(piece) => piece.cuts(nest.center, nest.balls[0].1),
+                // Of a model no one knows it so soon.
+                None => true,
+            });
+        }
         all
     }
 

@@ -13,3 +13,4 @@ mod shells;
 #[path = "../classic/common.rs"]
 #[expect(dead_code, reason = "the classic renderer's tests use the rest")]
 mod shots;
+mod sides;

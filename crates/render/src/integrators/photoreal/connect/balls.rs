@@ -92,7 +92,8 @@ impl<'a> Around<'a> {
         for mirror in deepest..count {
             offer(Course::back(within, mirror));
         }
-        for mirror in 0..count {
+        // What is outside decides how much is reflected inside.
+        for mirror in usize::from(self.nest.is_cut)..count {
             for first in i.max(mirror + 1)..=count {
                 for second in j.max(mirror + 1)..=count {
                     // A path is as near to the centre on both sides of the mirror, unless it has its end on the way there.

@@ -31,17 +31,59 @@ pub struct Crossings {
     there: Media,
 }
 
+/// Where a bent line is reflected.
+#[derive(Clone, Copy, Debug)]
+pub struct Corner {
+    /// The place.
+    pub p: DVec3,
+    /// The solid whose face reflects.
+    pub solid: u16,
+    /// The face.
+    pub face: Face,
+    /// Its outward unit normal.
+    pub n: DVec3,
+    /// ⟨n, p⟩ on it.
+    pub offset: f64,
+    /// Whether the light comes from outside of the solid.
+    pub is_outside: bool,
+}
+
 impl Crossings {
-    /// Finds them.
+    /// Finds those of the straight line.
     pub fn find(&mut self, solids: &Solids, ends: &Ends) {
+        (self.steps, self.there) = (Some(Steps::default()), ends.media);
+        self.add(solids, ends.x, ends.y);
+    }
+
+    /// Finds those of the line that is reflected at these places.
+    pub fn bend(&mut self, solids: &Solids, ends: &Ends, corners: &[Corner]) {
+        (self.steps, self.there) = (Some(Steps::default()), ends.media);
+        let mut from = ends.x;
+        for corner in corners {
+            self.add(solids, from, corner.p);
+            let sides = self.there.across(solids, corner.solid, corner.is_outside);
+            // A face that something else hides, or at which the light does not arrive from that side.
+            let is_there = sides.before != sides.beyond && sides.before == self.there.top(solids);
+            let step = corner.step(sides.before, sides.beyond);
+            if !is_there || !self.steps.as_mut().is_some_and(|steps| steps.push(step)) {
+                self.steps = None;
+                return;
+            }
+            from = corner.p;
+        }
+        self.add(solids, from, ends.y);
+    }
+
+    /// Adds those of a part of the line.
+    fn add(&mut self, solids: &Solids, from: DVec3, to: DVec3) {
         self.all.clear();
         for &solid in solids.clear() {
             if let Some(piece) = &solids.get(solid).piece {
-                self.cross(solid, piece, ends);
+                self.cross(solid, piece, from, to);
             }
         }
         self.all.sort_by(|a, b| a.t.total_cmp(&b.t).then(a.solid.cmp(&b.solid)));
-        self.walk(solids, ends);
+        self.walk(solids);
     }
 
     /// The surfaces, one behind the other, at which light is bent; None when one of them is round or there are too many.
@@ -54,12 +96,10 @@ impl Crossings {
         self.there
     }
 
-    fn walk(&mut self, solids: &Solids, ends: &Ends) {
-        let mut media = ends.media;
-        let mut steps = Some(Steps::default());
+    fn walk(&mut self, solids: &Solids) {
         for crossing in &self.all {
-            let sides = media.across(solids, crossing.solid, crossing.enters);
-            media = sides.media;
+            let sides = self.there.across(solids, crossing.solid, crossing.enters);
+            self.there = sides.media;
             if sides.before == sides.beyond {
                 continue;
             }
@@ -73,19 +113,17 @@ impl Crossings {
                 offset: crossing.offset,
             };
             let is_flat = crossing.n != DVec3::ZERO;
-            if !steps.as_mut().is_some_and(|steps| is_flat && steps.push(step)) {
-                steps = None;
+            if !self.steps.as_mut().is_some_and(|steps| is_flat && steps.push(step)) {
+                self.steps = None;
             }
         }
-        self.steps = steps;
-        self.there = media;
     }
 
-    fn cross(&mut self, solid: u16, piece: &Piece, ends: &Ends) {
-        let (x, way) = (ends.x, ends.y - ends.x);
+    fn cross(&mut self, solid: u16, piece: &Piece, x: DVec3, y: DVec3) {
+        let way = y - x;
         // Each end by what its own coordinates and the surface's are rounded to: the sun is a million times as far as the glass is.
         let length = way.length();
-        let [of_x, of_y] = [ends.x, ends.y].map(|p| p.abs().max_element());
+        let [of_x, of_y] = [x, y].map(|p| p.abs().max_element());
         let mut add = |t: f64, enters: bool, face: Face, n: DVec3, offset: f64| {
             let [near, far] = [of_x, of_y].map(|p| OWN * p.max(offset.abs()) / length);
             if t > near && t < 1.0 - far {

@@ -9,6 +9,7 @@ mod balls;
 mod crossings;
 mod flat;
 mod found;
+mod mirrors;
 mod solve;
 mod transmittance;
 
@@ -111,7 +112,8 @@ pub struct Ends {
 /// Finds connections; keeps its tools from one pair of points to the next.
 #[derive(Debug, Default)]
 pub struct Connector {
-    crossings: Crossings,
+    line: Crossings,
+    bent: Crossings,
     chains: Chains,
     /// What has been found.
     pub found: Found,
@@ -120,10 +122,10 @@ pub struct Connector {
 impl Connector {
     /// All connections. Where there is no clear solid the straight line is all, and this need not be called.
     pub fn connect(&mut self, solids: &Solids, ends: &Ends) {
-        self.crossings.find(solids, ends);
-        let search = Search { solids, ends, there: self.crossings.there(), only: None };
+        self.line.find(solids, ends);
+        let search = Search { solids, ends, there: self.line.there(), only: None };
         self.found.clear();
-        flat::connect(&search, &self.crossings, &mut self.found);
+        flat::connect(&search, [&mut self.line, &mut self.bent], &mut self.found);
         for nest in solids.nests() {
             if let Some(around) = Around::new(&search, nest) {
                 around.connect(&search, &mut self.chains, &mut self.found);
@@ -135,13 +137,13 @@ impl Connector {
     /// [`Self::connect`] looks for.
     pub fn spread_of(&mut self, solids: &Solids, ends: &Ends, chain: &Chain, wx: DVec3) -> Option<f64> {
         let first = chain.first_solid()?;
-        self.crossings.find(solids, ends);
-        let search = Search { solids, ends, there: self.crossings.there(), only: Some(chain) };
+        self.line.find(solids, ends);
+        let search = Search { solids, ends, there: self.line.there(), only: Some(chain) };
         if let Some(nest) = solids.nests().iter().find(|nest| nest.holds(first)) {
             return Around::new(&search, nest)?.spread_of(&search, wx);
         }
         self.found.clear();
-        flat::connect(&search, &self.crossings, &mut self.found);
+        flat::connect(&search, [&mut self.line, &mut self.bent], &mut self.found);
         // Of flat faces there is one way for each chain.
         self.found.iter().next().map(|way| way.ends.spread)
     }

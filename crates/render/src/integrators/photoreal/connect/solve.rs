@@ -2,10 +2,10 @@
 
 use super::found::{Found, Leaving, Node};
 use super::{MOST_STEPS, Search, Step, Steps};
-use crate::compile::Piece;
+use crate::compile::{AIR, Piece};
 use vitrine_math::DVec3;
 use vitrine_optics::connect::Target;
-use vitrine_optics::connect::faces::{self, Face as FlatFace};
+use vitrine_optics::connect::faces::{self, Care, Face as FlatFace};
 use vitrine_optics::connect::planes::{self, Stack};
 
 /// Faces whose normals' cosine differs from 1 by less are parallel.
@@ -21,7 +21,7 @@ pub fn solve(search: &Search, steps: &Steps, found: &mut Found) {
     let is_parallel = all.iter().all(|s| 1.0 - s.n.dot(first.n).abs() < PARALLEL);
     let way = if is_parallel { parallel(search, steps, first.n) } else { slanted(search, steps) };
     let Some((ends, vertices)) = way else { return };
-    if all.iter().zip(&vertices).all(|(s, v)| is_on_face(search, s, *v)) {
+    if all.iter().zip(&vertices).all(|(s, v)| is_on_face(search, s, *v) && is_as_assumed(search, s, *v)) {
         let nodes = all.iter().zip(&vertices).map(|(step, p)| Node { step: *step, n: step.n, p: *p });
         found.push(ends, nodes);
     }
@@ -89,7 +89,9 @@ fn slanted(search: &Search, steps: &Steps) -> Option<(Leaving, Vertices)> {
             is_mirror: step.reflects,
         };
     }
-    let way = faces::connect(search.ends.x, Target::Point(search.ends.y), &flat[..all.len()])?;
+    // Of the ways over mirrors most are not there.
+    let care = if all.iter().any(|s| s.reflects) { Care::Quick } else { Care::Full };
+    let way = faces::connect(search.ends.x, Target::Point(search.ends.y), &flat[..all.len()], care)?;
     let mut vertices = [DVec3::ZERO; MOST_STEPS];
     for (to, from) in vertices.iter_mut().zip(way.vertices()) {
         *to = *from;
@@ -107,4 +109,21 @@ fn is_on_face(search: &Search, step: &Step, vertex: DVec3) -> bool {
         }
         _ => true,
     }
+}
+
+/// Whether a vertex lies between what the line that showed the way has found there: the way goes beside the line, and surfaces that
+/// are hidden may end in between.
+fn is_as_assumed(search: &Search, step: &Step, vertex: DVec3) -> bool {
+    let Search { solids, ends, .. } = search;
+    let p = vertex.as_vec3();
+    let holds = |solid: u16| match &solids.get(solid).piece {
+        Some(piece) => piece.holds(p),
+        None => true,
+    };
+    let rank = |solid: &u16| solids.get(*solid).rank;
+    let others = solids.clear().iter().copied().chain(ends.media.unclear(solids));
+    let outside = others.filter(|s| *s != step.solid && holds(*s)).min_by_key(rank).unwrap_or(AIR);
+    let [inside, around] =
+        if step.before == step.solid { [step.before, step.beyond] } else { [step.beyond, step.before] };
+    inside == step.solid && around == outside
 }
