@@ -130,3 +130,34 @@ fn a_point_of_light_in_a_bulb_shines_as_brightly_as_in_air() {
     assert!((least..0.5 * (1.0 + f)).contains(&seen.mean[1]), "{seen:?} {least}");
     assert_eq!(measure_by_chance(&shot, 64).mean[1], 0.0);
 }
+
+#[test]
+fn behind_panes_and_in_display_cases() {
+    for (x, balls) in [(0.1, &[(0.4, 1.5)][..]), (0.5, &[(0.4, 1.5)]), (0.1, &HOLLOW)] {
+        let mut shot = floor_at(x, 0.0);
+        put_at(&mut shot, cuboid(v(6.0, 0.1, 6.0)), clear(1.5), v(0.0, 1.6, 0.0));
+        nest(&mut shot, balls);
+        bulb(&mut shot, v(0.2, 2.4, 0.1), 0.5, 2.0);
+        both_agree_and_chance_is_noisier(&shot);
+        // The pane below them.
+        shot.scene.objects[1].position.y = 0.3;
+        shot.scene.camera.position = v(x + 0.3, 0.1, 0.2);
+        both_agree(&shot);
+    }
+}
+
+#[test]
+fn under_the_surface_of_water() {
+    let mut shot = floor_at(0.1, 0.0);
+    put_at(&mut shot, ball(0.4), clear(1.0), CENTER);
+    shot.put(plane(), solid(clear(1.333))).position.y = 1.6;
+    bulb(&mut shot, v(0.2, 2.4, 0.1), 0.6, 2.0);
+    both_agree_and_chance_is_noisier(&shot);
+    // Things in a snow globe behind a pane.
+    let mut shot = measuring(v(0.05, 1.02, 0.06), v(0.0, 0.9, 0.0));
+    put_at(&mut shot, cuboid(v(0.1, 0.02, 0.1)), white(0.7), v(0.0, 0.89, 0.0));
+    nest(&mut shot, &GLOBE);
+    put_at(&mut shot, cuboid(v(6.0, 0.1, 6.0)), clear(1.5), v(0.0, 1.6, 0.0));
+    bulb(&mut shot, v(0.5, 2.5, 1.1), 0.8, 2.0);
+    both_agree_and_chance_is_noisier(&shot);
+}

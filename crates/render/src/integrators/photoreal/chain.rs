@@ -46,10 +46,9 @@ impl Chain {
         self.is_other = true;
     }
 
-    /// The solid whose surface was met first; None where none was, or one through which no connection is solved.
-    #[inline]
-    pub fn first_solid(&self) -> Option<u16> {
-        (self.len > 0 && !self.is_other).then(|| (self.steps[0] >> 8) as u16)
+    /// The solids whose surfaces were met, in order.
+    pub fn solids(&self) -> impl Iterator<Item = u16> {
+        self.steps[..usize::from(self.len)].iter().map(|code| (code >> 8) as u16)
     }
 
     /// Whether nothing was met.

@@ -1,5 +1,6 @@
 //! Through balls, nests of them, and off them.
 
+use super::super::media::Media;
 use super::found::{Found, Leaving, Node};
 use super::{MOST_STEPS, Search, Step, Steps};
 use crate::compile::{AIR, MOST_SHELLS, Nest};
@@ -10,13 +11,18 @@ use vitrine_optics::connect::{Chains, Target};
 /// A point so near to a ball, as a share of the coordinates, lies on it: what single precision can tell apart.
 const ON: f64 = 4e-6;
 
+/// What holds a place apart from the balls of a nest.
+pub fn outside(nest: &Nest, media: Media) -> Media {
+    nest.balls.iter().fold(media, |media, ball| media.without(ball.0))
+}
+
 /// A nest between two ends.
 pub struct Around<'a> {
     nest: &'a Nest,
-    center: DVec3,
-    shells: [Shell; MOST_SHELLS],
+    pub center: DVec3,
+    pub shells: [Shell; MOST_SHELLS],
     /// Within how many of the balls x and y lie.
-    within: [usize; 2],
+    pub within: [usize; 2],
     /// What is outside of all balls.
     here: u16,
 }
@@ -25,10 +31,14 @@ impl<'a> Around<'a> {
     /// None where something else is in the place of a ball, or around one end but not around the other.
     pub fn new(search: &Search, nest: &'a Nest) -> Option<Self> {
         let Search { solids, ends, there, .. } = search;
-        let outside = |media| nest.balls.iter().fold(media, |m: super::Media, ball| m.without(ball.0));
-        let here = outside(ends.media).top(solids);
-        let is_there = here == AIR || solids.get(nest.balls[0].0).rank < solids.get(here).rank;
-        if outside(*there).top(solids) != here || !is_there {
+        let [here, at_y] = [ends.media, *there].map(|media| outside(nest, media).top(solids));
+        if at_y == here { Self::within(search, nest, here) } else { None }
+    }
+
+    /// The same where it is known what is around the nest.
+    pub fn within(search: &Search, nest: &'a Nest, here: u16) -> Option<Self> {
+        let Search { solids, ends, .. } = search;
+        if here != AIR && solids.get(nest.balls[0].0).rank > solids.get(here).rank {
             return None;
         }
         let is_in = |ball: &&(u16, f32)| ends.media.holds(ball.0);
@@ -50,13 +60,13 @@ impl<'a> Around<'a> {
         Some(Self { nest, center, shells, within: [of_x, of_y], here })
     }
 
-    fn optical(&self) -> shells::Nest<'_> {
+    pub fn optical(&self) -> shells::Nest<'_> {
         let Self { center, within, .. } = *self;
         shells::Nest { center, shells: &self.shells[..self.nest.balls.len()], within }
     }
 
     /// The surfaces of a course; None if they are too many.
-    fn steps(&self, course: &Course) -> Option<Steps> {
+    pub fn steps(&self, course: &Course) -> Option<Steps> {
         let medium = |within: usize| within.checked_sub(1).map_or(self.here, |k| self.nest.balls[k].0);
         let mut steps = Steps::default();
         for meeting in course.meetings() {

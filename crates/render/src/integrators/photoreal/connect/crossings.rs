@@ -2,8 +2,9 @@
 
 use super::super::chain::Face;
 use super::super::media::Media;
+use super::balls::outside;
 use super::{Ends, Step, Steps};
-use crate::compile::{Piece, Solids};
+use crate::compile::{Nest, Piece, Solids};
 use vitrine_math::{DVec3, Vec3};
 
 /// Crossings nearer to an end than this share of the coordinates are the end's own surface.
@@ -52,7 +53,18 @@ impl Crossings {
     /// Finds those of the straight line.
     pub fn find(&mut self, solids: &Solids, ends: &Ends) {
         (self.steps, self.there) = (Some(Steps::default()), ends.media);
-        self.add(solids, ends.x, ends.y);
+        self.add(solids, ends.x, ends.y, None);
+    }
+
+    /// Finds those of the line by way of the centre of a nest, without those of the nest. Gives the number of surfaces before
+    /// the centre, and what is around the nest.
+    pub fn by_way_of(&mut self, solids: &Solids, ends: &Ends, nest: &Nest) -> Option<(usize, Media)> {
+        (self.steps, self.there) = (Some(Steps::default()), outside(nest, ends.media));
+        let center = nest.center.as_dvec3();
+        self.add(solids, ends.x, center, Some(nest));
+        let (before, media) = (self.steps.as_ref()?.all().len(), self.there);
+        self.add(solids, center, ends.y, Some(nest));
+        self.steps.is_some().then_some((before, media))
     }
 
     /// Finds those of the line that is reflected at these places.
@@ -60,7 +72,7 @@ impl Crossings {
         (self.steps, self.there) = (Some(Steps::default()), ends.media);
         let mut from = ends.x;
         for corner in corners {
-            self.add(solids, from, corner.p);
+            self.add(solids, from, corner.p, None);
             let sides = self.there.across(solids, corner.solid, corner.is_outside);
             // A face that something else hides, or at which the light does not arrive from that side.
             let is_there = sides.before != sides.beyond && sides.before == self.there.top(solids);
@@ -71,13 +83,16 @@ impl Crossings {
             }
             from = corner.p;
         }
-        self.add(solids, from, ends.y);
+        self.add(solids, from, ends.y, None);
     }
 
-    /// Adds those of a part of the line.
-    fn add(&mut self, solids: &Solids, from: DVec3, to: DVec3) {
+    /// Adds those of a part of the line; the balls of one nest can be left out.
+    fn add(&mut self, solids: &Solids, from: DVec3, to: DVec3, without: Option<&Nest>) {
         self.all.clear();
         for &solid in solids.clear() {
+            if without.is_some_and(|nest| nest.holds(solid)) {
+                continue;
+            }
             if let Some(piece) = &solids.get(solid).piece {
                 self.cross(solid, piece, from, to);
             }

@@ -10,6 +10,7 @@ mod crossings;
 mod flat;
 mod found;
 mod mirrors;
+mod mixed;
 mod solve;
 mod transmittance;
 
@@ -27,6 +28,9 @@ pub use transmittance::transmittance;
 
 /// The longest way that is solved.
 pub const MOST_STEPS: usize = 8;
+
+/// Ways whose directions' cosine is above this are one, found twice: single precision turns them by less.
+const SAME: f64 = 0.9999;
 
 /// A surface on the way from x to y.
 #[derive(Clone, Copy, Debug)]
@@ -130,22 +134,30 @@ impl Connector {
             if let Some(around) = Around::new(&search, nest) {
                 around.connect(&search, &mut self.chains, &mut self.found);
             }
+            mixed::connect(&search, nest, (&mut self.bent, &mut self.chains), &mut self.found);
         }
     }
 
     /// The spread of the way through that chain of surfaces which leaves x along `wx`; None if it is not one that
     /// [`Self::connect`] looks for.
     pub fn spread_of(&mut self, solids: &Solids, ends: &Ends, chain: &Chain, wx: DVec3) -> Option<f64> {
-        let first = chain.first_solid()?;
+        if !chain.is_solvable() {
+            return None;
+        }
         self.line.find(solids, ends);
         let search = Search { solids, ends, there: self.line.there(), only: Some(chain) };
-        if let Some(nest) = solids.nests().iter().find(|nest| nest.holds(first)) {
-            return Around::new(&search, nest)?.spread_of(&search, wx);
-        }
         self.found.clear();
-        flat::connect(&search, [&mut self.line, &mut self.bent], &mut self.found);
-        // Of flat faces there is one way for each chain.
-        self.found.iter().next().map(|way| way.ends.spread)
+        match solids.nests().iter().find(|nest| chain.solids().any(|s| nest.holds(s))) {
+            None => flat::connect(&search, [&mut self.line, &mut self.bent], &mut self.found),
+            Some(nest) if chain.solids().all(|s| nest.holds(s)) => {
+                return Around::new(&search, nest)?.spread_of(&search, wx);
+            }
+            Some(nest) => mixed::connect(&search, nest, (&mut self.bent, &mut self.chains), &mut self.found),
+        }
+        // Several ways may lead through one ball: this is the one that starts as the path did.
+        let cos = |way: &Connection<'_>| way.ends.wx.dot(wx);
+        let found = self.found.iter().max_by(|a, b| cos(a).total_cmp(&cos(b)));
+        found.filter(|way| cos(way) > SAME).map(|way| way.ends.spread)
     }
 }
 

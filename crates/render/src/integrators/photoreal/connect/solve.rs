@@ -21,7 +21,7 @@ pub fn solve(search: &Search, steps: &Steps, found: &mut Found) {
     let is_parallel = all.iter().all(|s| 1.0 - s.n.dot(first.n).abs() < PARALLEL);
     let way = if is_parallel { parallel(search, steps, first.n) } else { slanted(search, steps) };
     let Some((ends, vertices)) = way else { return };
-    if all.iter().zip(&vertices).all(|(s, v)| is_on_face(search, s, *v) && is_as_assumed(search, s, *v)) {
+    if all.iter().zip(&vertices).all(|(s, v)| is_met(search, s, *v)) {
         let nodes = all.iter().zip(&vertices).map(|(step, p)| Node { step: *step, n: step.n, p: *p });
         found.push(ends, nodes);
     }
@@ -97,6 +97,11 @@ fn slanted(search: &Search, steps: &Steps) -> Option<(Leaving, Vertices)> {
         *to = *from;
     }
     Some((Leaving { wx: way.wx, wy: way.wy, spread: way.spread }, vertices))
+}
+
+/// Whether a way meets a surface in a point: it lies inside the edges of its face, and nothing else is there.
+pub fn is_met(search: &Search, step: &Step, vertex: DVec3) -> bool {
+    is_on_face(search, step, vertex) && is_as_assumed(search, step, vertex)
 }
 
 /// Whether a vertex lies inside the edges of its face.
