@@ -67,23 +67,19 @@ impl Crossings {
         self.steps.is_some().then_some((before, media))
     }
 
-    /// Finds those of the line that is reflected at these places.
-    pub fn bend(&mut self, solids: &Solids, ends: &Ends, corners: &[Corner]) {
+    /// Finds those of the line that is reflected in one place.
+    pub fn bend(&mut self, solids: &Solids, ends: &Ends, corner: &Corner) {
         (self.steps, self.there) = (Some(Steps::default()), ends.media);
-        let mut from = ends.x;
-        for corner in corners {
-            self.add(solids, from, corner.p, None);
-            let sides = self.there.across(solids, corner.solid, corner.is_outside);
-            // A face that something else hides, or at which the light does not arrive from that side.
-            let is_there = sides.before != sides.beyond && sides.before == self.there.top(solids);
-            let step = corner.step(sides.before, sides.beyond);
-            if !is_there || !self.steps.as_mut().is_some_and(|steps| steps.push(step)) {
-                self.steps = None;
-                return;
-            }
-            from = corner.p;
+        self.add(solids, ends.x, corner.p, None);
+        let sides = self.there.across(solids, corner.solid, corner.is_outside);
+        // A face that something else hides, or at which the light does not arrive from that side.
+        let is_there = sides.before != sides.beyond && sides.before == self.there.top(solids);
+        let step = corner.step(sides.before, sides.beyond);
+        if is_there && self.steps.as_mut().is_some_and(|steps| steps.push(step)) {
+            self.add(solids, corner.p, ends.y, None);
+        } else {
+            self.steps = None;
         }
-        self.add(solids, from, ends.y, None);
     }
 
     /// Adds those of a part of the line; the balls of one nest can be left out.
@@ -169,8 +165,7 @@ impl Crossings {
                 let center = center.as_dvec3();
                 let (mut near, mut far) = ((f64::NEG_INFINITY, 0_usize, 0.0), (f64::INFINITY, 0_usize, 0.0));
                 for (k, (axis, half)) in axes.iter().zip(half).enumerate() {
-                    // Of unit length in double precision, too.
-                    let axis = axis.as_dvec3().normalize();
+                    let axis = unit(*axis);
                     let (at, slope, half) = (axis.dot(x - center), axis.dot(way), f64::from(*half));
                     if slope == 0.0 {
                         if at.abs() > half {
@@ -189,7 +184,7 @@ impl Crossings {
                 }
                 if near.0 < far.0 {
                     for ((t, k, sign), enters) in [(near, true), (far, false)] {
-                        let n = axes[k].as_dvec3().normalize() * sign;
+                        let n = unit(axes[k]) * sign;
                         let face = 2 * k as Face + Face::from(sign > 0.0);
                         add(t, enters, face, n, n.dot(center) + f64::from(half[k]));
                     }
@@ -197,6 +192,14 @@ impl Crossings {
             }
         }
     }
+}
+
+/// A vector of unit length in single precision, so long in double precision, too.
+#[inline]
+pub fn unit(axis: Vec3) -> DVec3 {
+    let axis = axis.as_dvec3();
+    // 1/√(1+ε) = 1 − ε/2 + O(ε²)
+    axis * (1.5 - 0.5 * axis.length_squared())
 }
 
 /// The face of a piece with that outward normal.

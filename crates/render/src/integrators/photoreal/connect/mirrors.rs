@@ -1,19 +1,20 @@
 //! Ways with a reflection at a flat face: off panes and water, and off the inside of a pane's faces, where light that came in by another
-//! face is often reflected totally, as at the edges of a shelf or in the corners of a block.
+//! face is often reflected totally, as at the edges of a shelf.
 //!
 //! The straight line from x to the mirror image of y says where the light is reflected. Folded back, it is a bent line from x over the
-//! mirrors to y, and what that crosses are the surfaces of the way, as the straight line says those of a way without mirrors.
+//! mirror to y, and what that crosses are the surfaces of the way, as the straight line says those of a way without a mirror.
 
 use super::super::chain::Face;
-use super::crossings::{Corner, Crossings};
+use super::crossings::{Corner, Crossings, unit};
 use super::flat::offer;
 use super::found::Found;
+use super::solve::PARALLEL;
 use super::{Search, Step};
 use crate::compile::Piece;
 use vitrine_math::DVec3;
 
 /// So many bent lines are tried from each point.
-const MOST_LINES: usize = 24;
+const MOST_LINES: usize = 16;
 
 /// Adds all such ways.
 pub fn connect(search: &Search, bent: &mut Crossings, found: &mut Found) {
@@ -22,7 +23,7 @@ pub fn connect(search: &Search, bent: &mut Crossings, found: &mut Found) {
         match search.solids.get(solid).piece {
             Some(Piece::Below { n, offset }) => mirrors.plane(solid, n.as_dvec3(), offset.into()),
             Some(Piece::Block { center, axes, half }) => {
-                let axes = axes.map(|axis| axis.as_dvec3().normalize());
+                let axes = axes.map(unit);
                 let local = |p: DVec3| DVec3::from_array(axes.map(|axis| axis.dot(p - center.as_dvec3())));
                 let (x, y) = (local(search.ends.x), local(search.ends.y));
                 let block = Block { solid, center: center.as_dvec3(), axes, half: half.map(f64::from), x, y };
@@ -91,28 +92,6 @@ impl Block {
         p[side.axis] = side.sign * self.half[side.axis];
         self.covers(p, side.axis).then(|| self.corner(side, p, hx > 0.0))
     }
-
-    /// Where it is reflected inside at two faces that meet.
-    fn at_both(&self, a: Side, b: Side) -> Option<[Corner; 2]> {
-        let (of_a, of_b) = (self.heights(a), self.heights(b));
-        if of_a.iter().chain(&of_b).any(|h| *h >= 0.0) {
-            return None;
-        }
-        // The image of y in both.
-        let mut image = self.y;
-        for Side { axis, sign } in [a, b] {
-            image[axis] = 2.0 * sign * self.half[axis] - image[axis];
-        }
-        let share = |[hx, hy]: [f64; 2]| hx / (hx + hy);
-        let (ta, tb) = (share(of_a), share(of_b));
-        let (first, second, [t1, t2]) = if ta < tb { (a, b, [ta, tb]) } else { (b, a, [tb, ta]) };
-        let [mut p, mut q] = [t1, t2].map(|t| self.x + (image - self.x) * t);
-        p[first.axis] = first.sign * self.half[first.axis];
-        q[first.axis] = 2.0 * p[first.axis] - q[first.axis];
-        q[second.axis] = second.sign * self.half[second.axis];
-        let is_inside = self.covers(p, first.axis) && self.covers(q, second.axis);
-        is_inside.then(|| [self.corner(first, p, false), self.corner(second, q, false)])
-    }
 }
 
 struct Mirrors<'a, 's> {
@@ -129,7 +108,7 @@ impl Mirrors<'_, '_> {
         if hx * hy > 0.0 {
             let (x, y) = (ends.x - n * hx, ends.y - n * hy);
             let p = x + (y - x) * (hx / (hx + hy));
-            self.over(&[Corner { p, solid, face: 0, n, offset, is_outside: hx > 0.0 }]);
+            self.over(&Corner { p, solid, face: 0, n, offset, is_outside: hx > 0.0 });
         }
     }
 
@@ -138,34 +117,48 @@ impl Mirrors<'_, '_> {
             for sign in [-1.0, 1.0] {
                 let side = Side { axis, sign };
                 if let Some(corner) = block.at(side) {
-                    self.over(&[corner]);
-                }
-                for other in axis + 1..3 {
-                    for sign in [-1.0, 1.0] {
-                        if let Some(corners) = block.at_both(side, Side { axis: other, sign }) {
-                            self.over(&corners);
-                        }
-                    }
+                    self.over(&corner);
                 }
             }
         }
     }
 
-    /// The way over these mirrors.
-    fn over(&mut self, corners: &[Corner]) {
+    /// The way over this mirror.
+    fn over(&mut self, corner: &Corner) {
         if self.left == 0 {
             return;
         }
         self.left -= 1;
         let Search { solids, ends, only, .. } = self.search;
-        if only.is_some_and(|only| !corners.iter().all(|c| only.holds(c.solid, c.face, true))) {
+        if only.is_some_and(|only| !only.holds(corner.solid, corner.face, true)) {
             return;
         }
-        self.bent.bend(solids, ends, corners);
-        if let Some(steps) = self.bent.steps() {
+        self.bent.bend(solids, ends, corner);
+        if let Some(steps) = self.bent.steps()
+            && is_worth_it(self.search, steps.all())
+        {
             offer(self.search, steps, self.found);
         }
     }
+}
+
+/// Whether a way over a mirror is cheap to solve, for all faces are parallel, or likely to bring much light, for the mirror is met from
+/// inside, behind a face that is not parallel: there light is reflected totally for the most part.
+fn is_worth_it(search: &Search, all: &[Step]) -> bool {
+    let is_parallel = |a: &Step, b: &Step| a.n.dot(b.n).abs() > 1.0 - PARALLEL;
+    if all.iter().all(|step| is_parallel(step, &all[0])) {
+        return true;
+    }
+    let mut entry: Option<&Step> = None;
+    all.iter().all(|step| {
+        if !step.reflects {
+            entry = Some(step);
+            return true;
+        }
+        step.before == step.solid
+            && search.index(step.before) > search.index(step.beyond)
+            && entry.is_none_or(|entry| !is_parallel(entry, step))
+    })
 }
 
 impl Corner {

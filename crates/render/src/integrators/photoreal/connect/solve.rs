@@ -1,5 +1,6 @@
 //! From a chain of flat faces to the way through them.
 
+use super::super::chain::Face;
 use super::found::{Found, Leaving, Node};
 use super::{MOST_STEPS, Search, Step, Steps};
 use crate::compile::{AIR, Piece};
@@ -9,7 +10,7 @@ use vitrine_optics::connect::faces::{self, Care, Face as FlatFace};
 use vitrine_optics::connect::planes::{self, Stack};
 
 /// Faces whose normals' cosine differs from 1 by less are parallel.
-const PARALLEL: f64 = 1e-9;
+pub const PARALLEL: f64 = 1e-9;
 
 /// Where a way meets its faces.
 type Vertices = [DVec3; MOST_STEPS];
@@ -17,7 +18,7 @@ type Vertices = [DVec3; MOST_STEPS];
 /// Adds the way through flat faces, if there is one that meets them inside their edges.
 pub fn solve(search: &Search, steps: &Steps, found: &mut Found) {
     let all = steps.all();
-    let Some(first) = all.first() else { return };
+    let Some(first) = all.first().filter(|_| is_possible(search, all)) else { return };
     let is_parallel = all.iter().all(|s| 1.0 - s.n.dot(first.n).abs() < PARALLEL);
     let way = if is_parallel { parallel(search, steps, first.n) } else { slanted(search, steps) };
     let Some((ends, vertices)) = way else { return };
@@ -89,14 +90,39 @@ fn slanted(search: &Search, steps: &Steps) -> Option<(Leaving, Vertices)> {
             is_mirror: step.reflects,
         };
     }
-    // Of the ways over mirrors most are not there.
-    let care = if all.iter().any(|s| s.reflects) { Care::Quick } else { Care::Full };
-    let way = faces::connect(search.ends.x, Target::Point(search.ends.y), &flat[..all.len()], care)?;
+    // Many ways are not there, and to make sure of that takes long.
+    let way = faces::connect(search.ends.x, Target::Point(search.ends.y), &flat[..all.len()], Care::Quick)?;
     let mut vertices = [DVec3::ZERO; MOST_STEPS];
     for (to, from) in vertices.iter_mut().zip(way.vertices()) {
         *to = *from;
     }
     Some((Leaving { wx: way.wx, wy: way.wy, spread: way.spread }, vertices))
+}
+
+/// Whether no block is entered and left by faces between which light cannot pass.
+///
+/// Inside, |cos|² between the way and each of the two normals is at least 1 − (n_outside/n)², mirrors at other faces of it keep both, and
+/// at right angles the squares add up to 1 at most: between two sides of glass that meet none passes if n² > 2.
+fn is_possible(search: &Search, all: &[Step]) -> bool {
+    let least = |step: &Step, outside: u16| {
+        let ratio = search.index(outside) / search.index(step.solid);
+        (1.0 - ratio * ratio).max(0.0)
+    };
+    let mut entered: Option<(u16, Face, f64)> = None;
+    for step in all {
+        if step.reflects {
+            entered = entered.filter(|(solid, ..)| *solid == step.solid);
+        } else if step.beyond == step.solid {
+            entered = Some((step.solid, step.face / 2, least(step, step.before)));
+        } else if let Some((solid, axis, of_entry)) = entered.take()
+            && solid == step.solid
+            && axis != step.face / 2
+            && of_entry + least(step, step.beyond) > 1.0
+        {
+            return false;
+        }
+    }
+    true
 }
 
 /// Whether a way meets a surface in a point: it lies inside the edges of its face, and nothing else is there.
