@@ -2,7 +2,7 @@
 
 use vitrine_math::DVec3;
 
-use super::radial::{ON_AXIS, Root, Sweep};
+use super::radial::{Between, ON_AXIS, Root, Sweep, Unit};
 use super::{Chains, MAX_VERTICES, PathEnds, Target};
 
 /// By how much of the radius an end may lie on the wrong side of a surface: what single precision can do.
@@ -69,10 +69,8 @@ pub(super) struct Around {
     /// Distances from the centre in metres; the light's is infinite if it is distant.
     pub rx: f64,
     pub ry: f64,
-    /// The angle Δ between the ends, π − Δ, and sin Δ.
-    delta: f64,
-    rest: f64,
-    sin: f64,
+    /// The angle between the ends.
+    between: Between,
 }
 
 impl Around {
@@ -112,10 +110,35 @@ impl Around {
             ey: ey / ey.length(),
             rx,
             ry,
-            delta: libm::atan2(sin, cos),
-            rest: libm::atan2(sin, -cos),
-            sin,
+            between: Between {
+                delta: libm::atan2(sin, cos),
+                rest: libm::atan2(sin, -cos),
+                unit: Unit { cos, sin },
+            },
         })
+    }
+
+    /// Whether a direction at the receiver points away from the centre.
+    pub(super) fn leaves(&self, w: DVec3) -> bool {
+        self.x.dot(w) > 0.0
+    }
+
+    /// How far beside the light, as an angle seen from the centre, a path along `legs` ends that leaves the receiver along `wx`
+    /// with Bouguer's constant `b`.
+    pub(super) fn off_light(&self, legs: &Legs, b: f64, wx: DVec3) -> f64 {
+        let (mut u, mut v, mut from) = (1.0, 0.0, self.rx);
+        for leg in legs.as_slice() {
+            let (s, c) = swept(b, leg, from);
+            (u, v) = (u * c - v * s, u * s + v * c);
+            from = leg.to;
+        }
+        let side = self.ex.dot(wx).signum();
+        (u - self.between.unit.cos).hypot(v * side - self.between.unit.sin)
+    }
+
+    /// Bouguer's constant of a path that leaves the receiver so in a medium of the index `n`: n ρ sin(angle with the radius).
+    pub(super) fn bouguer(&self, n: f64, wx: DVec3) -> f64 {
+        n * self.rx * self.x.cross(wx).length()
     }
 
     /// The spread of the path along `legs` that leaves the receiver with Bouguer's constant `b`. It is known to hit the
@@ -139,7 +162,7 @@ impl Around {
         }
         let (first, last) = (legs[0].n, legs[legs.len() - 1].n);
         let (cx, cy) = (angle(b, first, self.rx).1, angle(b, last, self.ry).1);
-        let sin = if (b * slope).abs() < 1e-3 { 0.0 } else { self.sin };
+        let sin = if (b * slope).abs() < 1e-3 { 0.0 } else { self.between.unit.sin };
         self.spread((first, cx, cy), sin, &Root { b, side: 1.0, slope })
     }
 
@@ -147,7 +170,7 @@ impl Around {
     pub(super) fn connect(&self, legs: &Legs, low: f64, out: &mut Chains) {
         let legs = legs.as_slice();
         let Some(sweep) = self.sweep(legs, low) else { return };
-        sweep.solve(self.delta, self.rest, |root| {
+        sweep.solve(&self.between, |root| {
             out.push(self.ends(legs, &root), self.vertices(legs, &root));
         });
     }
@@ -191,7 +214,7 @@ impl Around {
         // At the light the leg is seen backwards: it leaves outwards where it came in.
         let wx = self.x * (cx * outwards(first.run == Run::Out)) + self.ex * (sx * root.side);
         let wy = self.y * (cy * outwards(last.run == Run::In)) + self.ey * (sy * root.side);
-        PathEnds { wx, wy, spread: self.spread((first.n, cx, cy), self.sin, root) }
+        PathEnds { wx, wy, spread: self.spread((first.n, cx, cy), self.between.unit.sin, root) }
     }
 
     /// The points between the legs of the path with Bouguer's constant b of `root`.

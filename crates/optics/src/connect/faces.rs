@@ -28,22 +28,45 @@ pub struct Face {
     pub is_mirror: bool,
 }
 
+/// How hard a path is looked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Care {
+    /// Where Newton's method does not arrive there is taken to be none. That misses one path in some thousands, and is many
+    /// times as fast where there is none.
+    Quick,
+    /// Every path is found.
+    Full,
+}
+
+/// So many steps are taken at most, and each is shortened to this share of Newton's at most.
+#[derive(Clone, Copy)]
+struct Effort {
+    steps: usize,
+    share: f64,
+}
+
+const PLAIN: Effort = Effort { steps: 16, share: 1e-6 };
+const QUICK: Effort = Effort { steps: 12, share: 0.1 };
+
 /// The path over `faces` in this order, from the receiver to the light; or None if there is none. With no face it is the
 /// straight line.
 ///
 /// The planes have no edges here: the caller tests each vertex against its face.
 #[must_use]
-pub fn connect(x: DVec3, target: Target, faces: &[Face]) -> Option<Chain> {
+pub fn connect(x: DVec3, target: Target, faces: &[Face], care: Care) -> Option<Chain> {
     if faces.len() > MAX_VERTICES || !x.is_finite() {
         return None;
     }
     match target {
         Target::Point(y) if y.is_finite() => {
-            // Most ways have two or four faces, and moving room for sixteen about takes most of the time.
+            // Most ways have few faces, and moving room for sixteen about takes most of the time.
             match faces.len() {
-                0..=2 => Problem::<2>::new(x, y, faces).solve(),
-                3..=4 => Problem::<4>::new(x, y, faces).solve(),
-                _ => Problem::<MAX_VERTICES>::new(x, y, faces).solve(),
+                0..=2 => Problem::<2>::new(x, y, faces).solve(care),
+                3 => Problem::<3>::new(x, y, faces).solve(care),
+                4 => Problem::<4>::new(x, y, faces).solve(care),
+                5..=6 => Problem::<6>::new(x, y, faces).solve(care),
+                7..=8 => Problem::<8>::new(x, y, faces).solve(care),
+                _ => Problem::<MAX_VERTICES>::new(x, y, faces).solve(care),
             }
         }
         Target::Distant(w) if w.is_finite() => connect_distant(x, w, faces),
@@ -124,21 +147,32 @@ impl<'a, const N: usize> Problem<'a, N> {
     }
 
     /// The way, or None if light cannot go it.
-    fn solve(&self) -> Option<Chain> {
+    fn solve(&self, care: Care) -> Option<Chain> {
         let start = self.straight();
-        let points = self.descend(start, 0.0, 16).or_else(|| self.smoothed(&start))?;
+        let points = match care {
+            Care::Quick => self.descend(start, 0.0, QUICK)?,
+            Care::Full => self.descend(start, 0.0, PLAIN).or_else(|| self.smoothed(&start))?,
+        };
         self.chain(&points)
     }
 
-    /// Where the straight line meets the faces; beside its ends where it does not.
+    /// Where the straight line to the image of the light in the mirrors, folded back at them, meets the faces; beside its ends
+    /// where it does not.
     fn straight(&self) -> Points<N> {
+        let reflected = |p: DVec3, face: &Face| p - face.n * (2.0 * (p - face.point).dot(face.n));
+        let mirrors = self.faces.iter().rev().filter(|face| face.is_mirror);
+        let mut goal = mirrors.fold(self.y, reflected);
+        let mut start = self.x;
         let mut points = [DVec3::ZERO; N];
         for (p, face) in points.iter_mut().zip(self.faces) {
-            let d = self.y - self.x;
-            let share = (face.point - self.x).dot(face.n) / d.dot(face.n);
+            let d = goal - start;
+            let share = (face.point - start).dot(face.n) / d.dot(face.n);
             let share = if share.is_finite() { share.clamp(0.0, 1.0) } else { 0.5 };
-            let on_line = self.x + d * share;
+            let on_line = start + d * share;
             *p = on_line - face.n * (on_line - face.point).dot(face.n);
+            if face.is_mirror {
+                (start, goal) = (*p, reflected(goal, face));
+            }
         }
         points
     }
@@ -199,11 +233,11 @@ impl<'a, const N: usize> Problem<'a, N> {
         Some((blocks, gradient))
     }
 
-    /// Newton's method with damping, from `points` to the shortest way; None if it does not arrive in `most` steps.
-    fn descend(&self, mut points: Points<N>, smooth: f64, most: usize) -> Option<Points<N>> {
+    /// Newton's method with damping, from `points` to the shortest way; None if it does not arrive with so much effort.
+    fn descend(&self, mut points: Points<N>, smooth: f64, effort: Effort) -> Option<Points<N>> {
         let count = self.faces.len();
         let mut value = self.length(&points, smooth);
-        for _ in 0..most {
+        for _ in 0..effort.steps {
             let (blocks, gradient) = self.linearise(&points, smooth)?;
             let step = blocks.solve(gradient);
             let fall: f64 = (0..count).map(|j| gradient[j].dot(step[j])).sum();
@@ -237,7 +271,7 @@ impl<'a, const N: usize> Problem<'a, N> {
                     break;
                 }
                 share *= 0.5;
-                if share < 1e-6 {
+                if share < effort.share {
                     return None;
                 }
             }
@@ -249,9 +283,11 @@ impl<'a, const N: usize> Problem<'a, N> {
     fn smoothed(&self, start: &Points<N>) -> Option<Points<N>> {
         let mut points = *start;
         for smooth in [0.3, 0.02, 2e-3, 2e-4, 1e-5] {
-            points = self.descend(points, smooth * self.scale, 40).unwrap_or(points);
+            points = self
+                .descend(points, smooth * self.scale, Effort { steps: 40, share: 1e-6 })
+                .unwrap_or(points);
         }
-        self.descend(points, 0.0, 24)
+        self.descend(points, 0.0, Effort { steps: 24, share: 1e-6 })
     }
 
     /// The chain, if light can go this way.

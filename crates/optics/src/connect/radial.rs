@@ -10,6 +10,9 @@
 //! outside; with more, intervals are halved until one end bounds what lies between.
 //!
 //! The variable is t = tan(φ/2) with b = (min a_i) sin φ, which keeps all digits at the axis and at grazing incidence.
+//!
+//! Roots are refined without any angle: e^{iΘ} is a product of unit complex numbers, (√(a²−b²) + i b)/a to the power c of
+//! each term, and where Θ is within π of its goal, tan((Θ − goal)/2) has the same root.
 
 /// The most terms: two for each of eight surfaces, with the ends.
 const MAX_TERMS: usize = 20;
@@ -20,8 +23,10 @@ pub(super) const ON_AXIS: f64 = 1e-13;
 
 /// The angle that a path sweeps around the centre.
 pub(super) struct Sweep {
-    /// Of each term: c, a² − high², and whether this is zero.
+    /// Of each term: c and a² − high².
     terms: [(f64, f64); MAX_TERMS],
+    /// Of each term: 1/a and |c|.
+    turns: [(f64, u32); MAX_TERMS],
     len: usize,
     /// The sum of the c whose a is the smallest: these are φ itself.
     edge: f64,
@@ -29,6 +34,55 @@ pub(super) struct Sweep {
     half_turn: bool,
     low: f64,
     high: f64,
+}
+
+/// Θ is followed by its turn alone where it changes by less than this, which is below π.
+const NARROW: f64 = 3.0;
+
+/// An angle by its cosine and sine.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Unit {
+    pub cos: f64,
+    pub sin: f64,
+}
+
+impl Unit {
+    /// Turned by another angle so many times, or back.
+    #[inline]
+    fn by(self, other: Self, is_back: bool, times: u32) -> Self {
+        let mut power = other;
+        if is_back {
+            power.sin = -power.sin;
+        }
+        let mut turned = self;
+        let mut left = times;
+        while left > 0 {
+            if left & 1 == 1 {
+                turned = turned.plus(power);
+            }
+            left >>= 1;
+            if left > 0 {
+                power = power.plus(power);
+            }
+        }
+        turned
+    }
+
+    #[inline]
+    fn plus(self, other: Self) -> Self {
+        Self {
+            cos: self.cos * other.cos - self.sin * other.sin,
+            sin: self.sin * other.cos + self.cos * other.sin,
+        }
+    }
+}
+
+/// The angle Δ in [0, π] between the ends of a path: itself, π − Δ with its own digits, and its cosine and sine.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Between {
+    pub delta: f64,
+    pub rest: f64,
+    pub unit: Unit,
 }
 
 /// A root: b, on which side, and the slope of Θ.
@@ -49,14 +103,21 @@ impl Sweep {
         if !(high.is_finite() && low < high && terms.len() <= MAX_TERMS) {
             return None;
         }
-        let mut sweep =
-            Self { terms: [(0.0, 0.0); MAX_TERMS], len: 0, edge: 0.0, half_turn, low: low.max(0.0), high };
+        let mut sweep = Self {
+            terms: [(0.0, 0.0); MAX_TERMS],
+            turns: [(0.0, 0); MAX_TERMS],
+            len: 0,
+            edge: 0.0,
+            half_turn,
+            low: low.max(0.0),
+            high,
+        };
         for &(c, a) in terms {
             let d = (a - high) * (a + high);
             if d == 0.0 {
                 sweep.edge += c;
             } else {
-                sweep.insert(c, d);
+                sweep.insert((c, d), (1.0 / a, c.abs() as u32));
             }
         }
         Some(sweep)
@@ -64,13 +125,13 @@ impl Sweep {
 
     /// Adds a term so that the a stay in order.
     #[inline]
-    fn insert(&mut self, c: f64, d: f64) {
+    fn insert(&mut self, term: (f64, f64), turn: (f64, u32)) {
         let mut k = self.len;
-        while k > 0 && self.terms[k - 1].1 > d {
-            self.terms[k] = self.terms[k - 1];
+        while k > 0 && self.terms[k - 1].1 > term.1 {
+            (self.terms[k], self.turns[k]) = (self.terms[k - 1], self.turns[k - 1]);
             k -= 1;
         }
-        self.terms[k] = (c, d);
+        (self.terms[k], self.turns[k]) = (term, turn);
         self.len += 1;
     }
 
@@ -79,21 +140,39 @@ impl Sweep {
         &self.terms[..self.len]
     }
 
-    /// Θ − c₀ and its derivative by t.
+    /// Θ − c₀.
     #[inline]
-    fn eval(&self, t: f64) -> (f64, f64) {
+    fn angle(&self, t: f64) -> f64 {
         let one = 1.0 / (1.0 + t * t);
         let b = self.high * 2.0 * t * one;
         let c = self.high * (1.0 - t) * (1.0 + t) * one;
         let mut theta = if self.edge == 0.0 { 0.0 } else { self.edge * 2.0 * libm::atan(t) };
-        let mut slope = self.edge;
         for &(k, d) in self.terms() {
-            // asin(b/a) = atan(b/√(a²−b²)), and by φ: (db/dφ)/√(a²−b²); a²−b² = (a²−high²) + (high cos φ)²
-            let inverse = 1.0 / (d + c * c).sqrt();
-            theta += k * libm::atan(b * inverse);
-            slope += k * c * inverse;
+            // asin(b/a) = atan(b/√(a²−b²)), with a²−b² = (a²−high²) + (high cos φ)²
+            theta += k * libm::atan(b / (d + c * c).sqrt());
         }
-        (theta, slope * 2.0 * one)
+        theta
+    }
+
+    /// e^{i(Θ − c₀)}, and dΘ/dt.
+    #[inline]
+    fn turned(&self, t: f64) -> (Unit, f64) {
+        let one = 1.0 / (1.0 + t * t);
+        let (sin, cos) = (2.0 * t * one, (1.0 - t) * (1.0 + t) * one);
+        let (b, c) = (self.high * sin, self.high * cos);
+        let mut turn = Unit { cos: 1.0, sin: 0.0 };
+        if self.edge != 0.0 {
+            turn = turn.by(Unit { cos, sin }, self.edge < 0.0, self.edge.abs() as u32);
+        }
+        let mut slope = self.edge;
+        for (&(k, d), &(inverse, times)) in self.terms().iter().zip(&self.turns) {
+            let root = (d + c * c).sqrt();
+            turn = turn.by(Unit { cos: root * inverse, sin: b * inverse }, k < 0.0, times);
+            // By φ: (db/dφ)/√(a²−b²)
+            slope += k * c / root;
+        }
+        // dφ/dt = 2/(1+t²)
+        (turn, slope * 2.0 * one)
     }
 
     /// dΘ/dφ where high cos φ = `c`, and its derivative by c, each split into what its positive and its negative terms give.
@@ -215,13 +294,31 @@ impl Sweep {
     }
 
     /// The root of Θ − c₀ = `target` between `low` and `high`, where Θ is monotone and has the values `at_low`, `at_high`.
-    fn root(&self, target: f64, (mut low, mut high): (f64, f64), (at_low, at_high): (f64, f64)) -> f64 {
+    /// `goal` is e^{i target}.
+    fn root(
+        &self,
+        (target, goal): (f64, Unit),
+        (mut low, mut high): (f64, f64),
+        (mut at_low, mut at_high): (f64, f64),
+    ) -> f64 {
         let rising = at_high > at_low;
+        // So narrow that the turn says which way the root lies.
+        while (at_high - at_low).abs() > NARROW {
+            let middle = 0.5 * (low + high);
+            let theta = self.angle(middle);
+            if (theta > target) == rising {
+                (high, at_high) = (middle, theta);
+            } else {
+                (low, at_low) = (middle, theta);
+            }
+        }
         let mut t = low + (high - low) * ((target - at_low) / (at_high - at_low)).clamp(0.0, 1.0);
         for _ in 0..80 {
-            let (theta, slope) = self.eval(t);
-            let f = theta - target;
-            if (f > 0.0) == rising {
+            let (turn, slope) = self.turned(t);
+            let off = turn.by(goal, true, 1);
+            // 2 tan(x/2) = 2 sin x/(1+cos x), which is x near the root
+            let f = 2.0 * off.sin / (1.0 + off.cos);
+            if (off.sin > 0.0) == rising {
                 high = t;
             } else {
                 low = t;
@@ -238,11 +335,13 @@ impl Sweep {
         t
     }
 
-    /// Calls `found` for every root of Θ ≡ ±Δ (mod 2π). `delta` is Δ in [0, π], and `rest` π − Δ with its own digits.
-    pub(super) fn solve(&self, delta: f64, rest: f64, mut found: impl FnMut(Root)) {
+    /// Calls `found` for every root of Θ ≡ ±Δ (mod 2π).
+    pub(super) fn solve(&self, between: &Between, mut found: impl FnMut(Root)) {
         use core::f64::consts::TAU;
+        let &Between { delta, rest, unit: Unit { cos, sin } } = between;
         // Θ − c₀ ≡ ±(Δ − c₀)
-        let goal = if self.half_turn { -rest } else { delta };
+        let (goal, unit) =
+            if self.half_turn { (-rest, Unit { cos: -cos, sin: -sin }) } else { (delta, Unit { cos, sin }) };
         if delta.min(rest) < ON_AXIS {
             // On the axis the straight way alone counts.
             if self.low == 0.0 && goal.abs() < 1.0 {
@@ -252,15 +351,16 @@ impl Sweep {
         }
         let mut cuts = [0.0; MAX_PIECES + 1];
         let count = self.cut(&mut cuts);
-        let mut at_low = if cuts[0] == 0.0 { 0.0 } else { self.eval(cuts[0]).0 };
+        let mut at_low = if cuts[0] == 0.0 { 0.0 } else { self.angle(cuts[0]) };
         for k in 1..count {
             let ends = (cuts[k - 1], cuts[k]);
-            let at_high = self.eval(ends.1).0;
+            let at_high = self.angle(ends.1);
             let (least, most) = (at_low.min(at_high), at_low.max(at_high));
             for side in [1.0, -1.0] {
+                let unit = Unit { cos: unit.cos, sin: unit.sin * side };
                 let mut target = side * goal + TAU * ((least - side * goal) / TAU).ceil();
                 while target < most {
-                    found(self.root_at(self.root(target, ends, (at_low, at_high)), side));
+                    found(self.root_at(self.root((target, unit), ends, (at_low, at_high)), side));
                     target += TAU;
                 }
             }

@@ -70,6 +70,13 @@ pub fn connect(x: DVec3, target: Target, interfaces: &[Interface]) -> Option<Cha
     AIMS.iter().find_map(|&aim| search(x, target, interfaces, toward + aside * aim))
 }
 
+/// The path over `interfaces` in this order to which Newton's method comes from the direction `start` at the receiver; None if
+/// it comes to none.
+#[must_use]
+pub fn connect_from(x: DVec3, target: Target, interfaces: &[Interface], start: DVec3) -> Option<Chain> {
+    if interfaces.len() > MAX_VERTICES { None } else { search(x, target, interfaces, start) }
+}
+
 /// Where on the first ball the search starts, in radii off the middle towards the light.
 const AIMS: [f64; 7] = [0.0, 0.5, -0.5, 0.8, -0.8, 0.95, -0.95];
 

@@ -6,11 +6,14 @@
 //! priorities inferred).
 
 use super::geometry::{Form, Primitive};
+use super::nests::Nest;
 use super::physical::Substance;
 use vitrine_math::{Ray, Rgb, Vec3};
 
 /// No solid.
 pub const AIR: u16 = u16::MAX;
+/// Balls and blocks that reach into each other by less than this share of the ball only touch.
+const TOUCH: f32 = 1e-5;
 /// The most solids that are told apart; what comes after them is taken for thin walls.
 const MOST: usize = u16::MAX as usize;
 
@@ -80,6 +83,25 @@ impl Piece {
         }
     }
 
+    /// Whether its surface cuts that of a ball; not if they touch.
+    pub fn cuts(&self, center: Vec3, radius: f32) -> bool {
+        let radius = radius * (1.0 - TOUCH);
+        match self {
+            Self::Ball { center: other, radius: of_other } => {
+                let apart = (center - *other).length();
+                apart < radius + of_other && apart > (radius - of_other).abs()
+            }
+            Self::Below { n, offset } => (n.dot(center) - offset).abs() < radius,
+            Self::Block { center: other, axes, half } => {
+                let local = center - *other;
+                let beyond: [f32; 3] = std::array::from_fn(|k| axes[k].dot(local).abs() - half[k]);
+                let outside = Vec3::from_array(beyond.map(|d| d.max(0.0))).length();
+                let nearest = beyond.iter().fold(f32::NEG_INFINITY, |a, b| a.max(*b));
+                if nearest > 0.0 { outside < radius } else { -nearest < radius }
+            }
+        }
+    }
+
     /// Whether a point is in it.
     pub fn holds(&self, p: Vec3) -> bool {
         match self {
@@ -101,6 +123,8 @@ pub struct Solids {
     by_primitive: Vec<u16>,
     /// Those with a clear surface and a form through which connections can be solved.
     clear: Vec<u16>,
+    /// The balls among those.
+    nests: Vec<Nest>,
 }
 
 /// A solid to be.
@@ -134,6 +158,19 @@ impl Solids {
         order.sort_by(|&a, &b| all.list[a].volume.total_cmp(&all.list[b].volume).then(b.cmp(&a)));
         for (rank, index) in order.into_iter().enumerate() {
             all.list[index].rank = rank as u32;
+        }
+        let ball = |&index: &u16| match all.list[usize::from(index)].piece {
+            Some(Piece::Ball { center, radius }) => Some((index, center, radius)),
+            _ => None,
+        };
+        all.nests = Nest::all(all.clear.iter().filter_map(ball));
+        for nest in &mut all.nests {
+            let others = || (0..).zip(&all.list).filter(|(index, _)| !nest.holds(*index));
+            nest.is_cut = others().any(|(_, other)| match &other.piece {
+                Some(piece) => piece.cuts(nest.center, nest.balls[0].1),
+                // Of a model no one knows it so soon.
+                None => true,
+            });
         }
         all
     }
@@ -185,6 +222,13 @@ impl Solids {
     /// Forgets which ones are clear, so that no connection is solved through any.
     pub fn forget_clear(&mut self) {
         self.clear.clear();
+        self.nests.clear();
+    }
+
+    /// The clear balls, each with those around the same centre.
+    #[inline]
+    pub fn nests(&self) -> &[Nest] {
+        &self.nests
     }
 
     /// Whether there is none.

@@ -61,10 +61,13 @@ impl Cuboid {
         Some(Chosen { y: self.unit.point(s), n: self.unit.normal(n), pdf: 1.0 / whole })
     }
 
-    /// The density, 1/m², with which [`Self::choose`] finds a point on a face that is seen.
-    pub fn pdf(&self, p: Vec3) -> f32 {
-        let whole = self.seen_from(p).1.element_sum();
-        if whole > 0.0 { 1.0 / whole } else { 0.0 }
+    /// The density, 1/m², with which [`Self::choose`] finds `y`, a point of it: 0 on a face that is not seen.
+    pub fn pdf(&self, p: Vec3, y: Vec3) -> f32 {
+        let (q, seen) = self.seen_from(p);
+        let s = self.unit.object_from_world.transform_point3(y);
+        let face = s.abs().max_position();
+        let is_seen = seen[face] > 0.0 && q[face] * s[face] > 0.0;
+        if is_seen { 1.0 / seen.element_sum() } else { 0.0 }
     }
 
     /// `p` in the space of the cube, and the areas of the faces that are seen from there.

@@ -63,16 +63,18 @@ impl Form {
         matches!(self, Self::Plate(_) | Self::Facet(_))
     }
 
-    /// The density, 1/m², with which [`Self::choose`] finds `y`, a point that is seen from `p` on a side that shines.
+    /// The density, 1/m², with which [`Self::choose`] finds `y`, a point of it: 0 where it does not face `p`, though its light may
+    /// come to `p` by a mirror.
     #[inline]
-    pub fn pdf(&self, p: Vec3, y: Vec3) -> f32 {
+    pub fn pdf(&self, p: Vec3, y: Vec3, is_two_sided: bool) -> f32 {
+        let flat = |n: Vec3, area: f32| if is_two_sided || n.dot(p - y) > 0.0 { 1.0 / area } else { 0.0 };
         match self {
             Self::Point(_) => 0.0,
             Self::Ball(ball) => ball.pdf(p, y),
             Self::Ellipsoid(ellipsoid) => ellipsoid.pdf(p, y),
-            Self::Cuboid(cuboid) => cuboid.pdf(p),
-            Self::Plate(plate) => 1.0 / plate.area,
-            Self::Facet(facet) => 1.0 / facet.area,
+            Self::Cuboid(cuboid) => cuboid.pdf(p, y),
+            Self::Plate(plate) => flat(plate.n, plate.area),
+            Self::Facet(facet) => flat(facet.n, facet.area),
         }
     }
 

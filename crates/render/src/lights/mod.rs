@@ -217,7 +217,7 @@ impl Lights {
         (pdf > 0.0).then_some(LightSample { light, at, le: *le, pdf, is_delta: false })
     }
 
-    /// The density per m² with which [`Self::sample`] from `p` finds `y`, a point of a light on a side that is seen from `p` and shines.
+    /// The density per m² with which [`Self::sample`] from `p` finds `y`, a point of a light on a side that shines.
     #[must_use]
     pub fn pdf_surface(&self, light: u32, p: Vec3, n: Option<Vec3>, y: Vec3) -> f32 {
         let Some(held) = self.local.get(light as usize) else { return 0.0 };
@@ -227,7 +227,7 @@ impl Lights {
             (Some(tree), Local::Cut(cut)) => tree.probability(cut, light, p, n),
             (_, local) => local.probability(light),
         };
-        held.form.pdf(p, y) * of_light * (1.0 - distant)
+        held.form.pdf(p, y, held.is_two_sided) * of_light * (1.0 - distant)
     }
 
     /// The density per steradian with which [`Self::sample`] from `p` finds a direction of unit length, of all distant light with

@@ -10,20 +10,25 @@ use crate::common::{
 const SAMPLES: u32 = 4096;
 
 /// A floor at y = 0, seen from beside.
-fn floor_at(x: f32, z: f32) -> Shot {
+pub fn floor_at(x: f32, z: f32) -> Shot {
     let mut shot = measuring(v(x + 0.5, 0.3, z + 0.4), v(x, 0.0, z));
     shot.put(plane(), white(0.5));
     shot
 }
 
-fn put_at(shot: &mut Shot, shape: vitrine_scene::Shape, material: Material, position: Vec3) -> &mut Object {
+pub fn put_at(
+    shot: &mut Shot,
+    shape: vitrine_scene::Shape,
+    material: Material,
+    position: Vec3,
+) -> &mut Object {
     let object = shot.put(shape, material);
     object.position = position;
     object
 }
 
 #[track_caller]
-fn both_agree(shot: &Shot) -> [Measured; 2] {
+pub fn both_agree(shot: &Shot) -> [Measured; 2] {
     let (found, by_chance) = (measure(shot, SAMPLES), measure_by_chance(shot, SAMPLES));
     found.assert_agrees(&by_chance, 0.03);
     [found, by_chance]

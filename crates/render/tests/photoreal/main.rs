@@ -10,7 +10,9 @@ mod goldens;
 mod job;
 mod lamps;
 mod panes;
+mod shells;
 #[path = "../classic/common.rs"]
 #[expect(dead_code, reason = "the classic renderer's tests use the rest")]
 mod shots;
+mod sides;
 mod touching;

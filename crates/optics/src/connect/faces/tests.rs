@@ -45,7 +45,7 @@ fn every_way_that_a_ray_has_gone_is_found() {
     while found < 50_000 {
         let Some((x, start, y, faces)) = known_way(&mut dice, found % 2 == 0) else { continue };
         let target = Target::Point(y);
-        let chain = connect(x, target, &faces)
+        let chain = connect(x, target, &faces, Care::Full)
             .unwrap_or_else(|| panic!("not found, after {found}: {x} {y} {faces:?}"));
         found += 1;
         let events = events(&faces);
@@ -71,7 +71,7 @@ fn a_distant_light_is_found_where_a_ray_has_left_towards_it() {
         let events = events(&faces);
         let Some((_, out)) = follow(x, start, &events) else { continue };
         let target = Target::Distant(out);
-        let chain = connect(x, target, &faces)
+        let chain = connect(x, target, &faces, Care::Full)
             .unwrap_or_else(|| panic!("not found, after {found}: {x} {out} {faces:?}"));
         found += 1;
         let steep = steepness(&chain, &events);
@@ -95,7 +95,8 @@ fn parallel_faces_agree_with_the_pane() {
         let pane = planes::connect(x, Target::Point(y), &stack).unwrap();
         let face =
             |offset: f64, before, behind| Face { point: n * offset, n, before, behind, is_mirror: false };
-        let chain = connect(x, Target::Point(y), &[face(0.1, 1.0, n1), face(0.3, n1, 1.3)]).unwrap();
+        let chain =
+            connect(x, Target::Point(y), &[face(0.1, 1.0, n1), face(0.3, n1, 1.3)], Care::Full).unwrap();
         assert!((chain.wx - pane.wx).length() < 1e-10 && (chain.wy - pane.wy).length() < 1e-10);
         assert!((chain.spread / pane.spread - 1.0).abs() < 1e-9);
     }
@@ -112,16 +113,16 @@ fn a_prism_turns_light_by_37_18_degrees_at_least() {
     // The symmetric way runs along the base of the prism inside.
     let x = DVec3::new(-1.0 - 2.0 * half.cos(), -2.0 * half.sin(), 0.0);
     let y = DVec3::new(-x.x, x.y, 0.0);
-    let chain = connect(x, Target::Point(y), &faces).unwrap();
+    let chain = connect(x, Target::Point(y), &faces, Care::Full).unwrap();
     let turned = chain.wx.dot(-chain.wy).acos().to_degrees();
     assert!((turned - 37.18).abs() < 0.005, "{turned}");
 }
 
 #[test]
 fn without_a_face_it_is_the_straight_line() {
-    let chain = connect(DVec3::ZERO, Target::Point(DVec3::Z * 2.0), &[]).unwrap();
+    let chain = connect(DVec3::ZERO, Target::Point(DVec3::Z * 2.0), &[], Care::Full).unwrap();
     assert!((chain.spread - 0.25).abs() < 1e-15 && chain.wx == DVec3::Z && chain.wy == -DVec3::Z);
-    let chain = connect(DVec3::ZERO, Target::Distant(DVec3::Z), &[]).unwrap();
+    let chain = connect(DVec3::ZERO, Target::Distant(DVec3::Z), &[], Care::Full).unwrap();
     assert!(chain.spread == 1.0 && chain.wx == DVec3::Z);
 }
 
@@ -147,7 +148,7 @@ fn places_without_an_answer_give_none_and_never_nan() {
                 let w = y.normalize_or(DVec3::Z);
                 for target in [Target::Point(y), Target::Distant(w)] {
                     for count in 0..=2 {
-                        if let Some(chain) = connect(x, target, &faces[..count]) {
+                        if let Some(chain) = connect(x, target, &faces[..count], Care::Full) {
                             assert!(chain.is_sound(), "{x} {target:?}");
                             assert!((chain.wx.length() - 1.0).abs() < 1e-9);
                         }

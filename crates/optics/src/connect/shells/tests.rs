@@ -31,23 +31,36 @@ fn place(dice: &mut Dice, center: DVec3, shells: &[Shell], within: usize) -> DVe
     center + dice.direction() * (low + (high - low) * dice.between(0.01, 0.99))
 }
 
-/// What a ray meets that reaches the surfaces down to before `depth`, and is reflected at `depth` if `mirror` says so.
-fn events(nest: &Nest<'_>, depth: usize, mirror: bool) -> Vec<Event> {
-    let surface = |s: &Shell| Surface::Ball { center: nest.center, radius: s.radius };
-    // Equal indices would be taken for a mirror.
-    let go_in = nest.shells[nest.within[0]..depth]
-        .iter()
-        .map(|s| event(surface(s), s.outside, s.inside * (1.0 + 1e-15)));
-    let back = mirror
-        .then(|| event(surface(&nest.shells[depth]), nest.shells[depth].outside, nest.shells[depth].outside));
-    let go_out = nest.shells[nest.within[1]..depth]
-        .iter()
-        .rev()
-        .map(|s| event(surface(s), s.inside * (1.0 + 1e-15), s.outside));
-    go_in.chain(back).chain(go_out).collect()
+/// What a ray meets on a course.
+fn events(nest: &Nest<'_>, course: &Course) -> Vec<Event> {
+    let event_at = |meeting: &Meeting| {
+        let s = nest.shells[usize::from(meeting.shell)];
+        let surface = Surface::Ball { center: nest.center, radius: s.radius };
+        // Equal indices would be taken for a mirror.
+        match meeting.deed {
+            Deed::Enter => event(surface, s.outside, s.inside * (1.0 + 1e-15)),
+            Deed::Leave => event(surface, s.inside * (1.0 + 1e-15), s.outside),
+            Deed::Off => event(surface, s.outside, s.outside),
+            Deed::Echo => event(surface, s.inside, s.inside),
+        }
+    };
+    course.meetings().iter().map(event_at).collect()
 }
 
-/// Runs `check` with the chains of random nests: all that pass through down to one depth, or are reflected at it.
+/// All courses with at most one reflection.
+fn courses(within: [usize; 2], count: usize) -> Vec<Course> {
+    let [i, j] = within;
+    let deepest = i.max(j);
+    let through = (deepest..=count).filter_map(|depth| Course::through(within, depth));
+    let back = (deepest..count).filter_map(|mirror| Course::back(within, mirror));
+    let echo = (0..count).flat_map(|mirror| {
+        let depths = move |end: usize| end.max(mirror + 1)..=count;
+        depths(i).flat_map(move |a| depths(j).filter_map(move |b| Course::echo(within, mirror, [a, b])))
+    });
+    through.chain(back).chain(echo).collect()
+}
+
+/// Runs `check` with the chains of all courses through random nests.
 fn each(dice: &mut Dice, cases: u32, mut check: impl FnMut(DVec3, Target, &[Chain], &Nest<'_>, &[Event])) {
     let mut out = Chains::default();
     for case in 0..cases {
@@ -61,22 +74,14 @@ fn each(dice: &mut Dice, cases: u32, mut check: impl FnMut(DVec3, Target, &[Chai
         } else {
             Target::Point(y)
         };
-        let deepest = within[0].max(within[1]);
-        for depth in deepest..shells.len() {
-            out.clear();
-            connect(x, target, &nest, Course::Back(depth), &mut out);
-            check(x, target, out.as_slice(), &nest, &events(&nest, depth, true));
-        }
-        out.clear();
-        connect(x, target, &nest, Course::Through, &mut out);
-        assert!(out.as_slice().len() < MAX_CHAINS);
-        for depth in deepest..=shells.len() {
-            let events = events(&nest, depth, false);
-            if !events.is_empty() {
-                let chains: Vec<Chain> =
-                    out.as_slice().iter().filter(|c| c.vertices().len() == events.len()).copied().collect();
-                check(x, target, &chains, &nest, &events);
+        for course in courses(within, shells.len()) {
+            if course.meetings().is_empty() {
+                continue;
             }
+            out.clear();
+            connect(x, target, &nest, &course, &mut out);
+            assert!(out.as_slice().len() < MAX_CHAINS);
+            check(x, target, out.as_slice(), &nest, &events(&nest, &course));
         }
     }
 }
@@ -120,7 +125,7 @@ fn cuts(center: DVec3, radius: f64, a: DVec3, b: DVec3) -> bool {
 fn no_chain_is_missed() {
     let mut dice = Dice(12);
     let mut seen = 0;
-    each(&mut dice, 10_000, |x, target, chains, nest, events| {
+    each(&mut dice, 5000, |x, target, chains, nest, events| {
         let to_x = (x - nest.center).normalize();
         let toward = match target {
             Target::Point(y) => y - nest.center,
@@ -164,14 +169,43 @@ fn light_passes_a_bulb_inside_its_glass_and_through_its_hollow() {
         [Shell { radius: 1.0, outside: 1.0, inside: 1.5 }, Shell { radius: 0.5, outside: 1.5, inside: 1.0 }];
     let nest = Nest { center: DVec3::ZERO, shells: &shells, within: [0, 0] };
     let mut out = Chains::default();
-    let count = |y: DVec3, course, out: &mut Chains| {
+    let mut count = |y: DVec3, course: Option<Course>| {
         out.clear();
-        connect(DVec3::new(-3.0, 0.0, 0.0), Target::Point(y), &nest, course, out);
-        let lengths: Vec<usize> = out.as_slice().iter().map(|c| c.vertices().len()).collect();
-        lengths
+        connect(DVec3::new(-3.0, 0.0, 0.0), Target::Point(y), &nest, &course.unwrap(), &mut out);
+        out.as_slice().len()
     };
-    assert_eq!(count(DVec3::new(3.0, 0.1, 0.0), Course::Through, &mut out), [4]);
-    let depths = count(DVec3::new(1.2, 0.4, 0.0), Course::Through, &mut out);
-    assert!(depths.contains(&4) && depths.contains(&2), "{depths:?}");
-    assert_eq!(count(DVec3::new(1.0, 3.0, 0.0), Course::Back(1), &mut out), [3]);
+    let [shallow, deep] = [1, 2].map(|depth| Course::through([0, 0], depth));
+    let behind = DVec3::new(3.0, 0.1, 0.0);
+    assert_eq!([count(behind, shallow), count(behind, deep)], [0, 1]);
+    let beside = DVec3::new(1.2, 0.4, 0.0);
+    assert!(count(beside, deep) > 0 && count(beside, shallow) > 0);
+    assert_eq!(count(DVec3::new(1.0, 3.0, 0.0), Course::back([0, 0], 1)), 1);
+}
+
+#[test]
+fn a_known_path_has_the_spread_that_the_search_gives() {
+    let mut dice = Dice(13);
+    let mut out = Chains::default();
+    let mut compared = 0;
+    for _ in 0..2000 {
+        let (center, shells) = nest(&mut dice);
+        let within = [0, 1].map(|_| (dice.unit() * (shells.len() + 1) as f64) as usize);
+        let nest = Nest { center, shells: &shells, within };
+        let [x, y] = within.map(|within| place(&mut dice, center, &shells, within));
+        let pair = Pair::new(x, Target::Point(y), &nest).unwrap();
+        for course in courses(within, shells.len()) {
+            out.clear();
+            pair.connect(&course, &mut out);
+            for chain in out.as_slice() {
+                let spread = pair.spread_of(chain.wx, &course).unwrap();
+                let steep = steepness(chain, &events(&nest, &course));
+                if steep > 1e-2 {
+                    compared += 1;
+                    let error = (spread / chain.spread - 1.0).abs();
+                    assert!(error < 1e-5, "{course:?}: {spread} against {}", chain.spread);
+                }
+            }
+        }
+    }
+    assert!(compared > 2000, "{compared}");
 }

@@ -189,8 +189,7 @@ fn a_known_path_has_the_spread_that_the_search_gives() {
             out.clear();
             connect(x, target, &ball, way, &mut out);
             for chain in out.as_slice() {
-                let known = Known { x, wx: chain.wx, target, wy: chain.wy };
-                let spread = spread_of(&known, &ball, way).unwrap();
+                let spread = spread_of(x, chain.wx, target, &ball, way).unwrap();
                 let error = (spread / chain.spread - 1.0).abs();
                 let steep = steepness(chain, &events(&ball, way));
                 assert!(error < 1e-5 || steep < 1e-2, "{way:?} {k}: {spread} against {}", chain.spread);
@@ -227,8 +226,7 @@ fn exchanging_the_ends_keeps_n2_times_the_spread() {
             connect(x, Target::Point(y), &ball, way, &mut there);
             connect(y, Target::Point(x), &ball, reverse, &mut back);
             assert_eq!(there.as_slice().len(), back.as_slice().len());
-            let index = |inside: bool| if inside { ball.eta } else { 1.0 };
-            let (nx, ny) = (index(way.sides().0), index(way.sides().1));
+            let [nx, ny] = way.sides().0.map(|within| if within == 1 { ball.eta } else { 1.0 });
             for a in there.as_slice() {
                 // n_x² dω_x/dA_y = n_y² dω_y/dA_x
                 let twin = |b: &&Chain| (a.wx - b.wy).length() + (a.wy - b.wx).length() < 1e-6;

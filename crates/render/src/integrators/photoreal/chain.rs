@@ -30,15 +30,25 @@ impl Chain {
             self.is_other = true;
             return;
         }
-        self.steps[usize::from(self.len)] =
-            u32::from(solid) << 8 | u32::from(face) << 1 | u32::from(reflects);
+        self.steps[usize::from(self.len)] = code(solid, face, reflects);
         self.len += 1;
+    }
+
+    /// Whether that surface is in it.
+    #[inline]
+    pub fn holds(&self, solid: u16, face: Face, reflects: bool) -> bool {
+        self.steps[..usize::from(self.len)].contains(&code(solid, face, reflects))
     }
 
     /// Adds a surface through which no connection is solved.
     #[inline]
     pub fn push_other(&mut self) {
         self.is_other = true;
+    }
+
+    /// The solids whose surfaces were met, in order.
+    pub fn solids(&self) -> impl Iterator<Item = u16> {
+        self.steps[..usize::from(self.len)].iter().map(|code| (code >> 8) as u16)
     }
 
     /// Whether nothing was met.
@@ -52,4 +62,9 @@ impl Chain {
     pub const fn is_solvable(&self) -> bool {
         !self.is_other
     }
+}
+
+#[inline]
+const fn code(solid: u16, face: Face, reflects: bool) -> u32 {
+    (solid as u32) << 8 | (face as u32) << 1 | reflects as u32
 }

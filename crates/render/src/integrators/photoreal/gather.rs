@@ -1,6 +1,6 @@
 //! Looking for light on purpose, at a vertex of a path: next-event estimation, straight or through glass.
 
-use super::connect::{Connection, Ends, double, transmittance};
+use super::connect::{Connection, Ends, Node, double, transmittance};
 use super::path::{Draw, Path};
 use super::step::{Tools, Vertex};
 use crate::compile::AIR;
@@ -38,11 +38,11 @@ impl Tools<'_, '_> {
             (path.wavelength, Rgb::WHITE)
         };
         let ends = Ends { x, y, media, wavelength };
-        self.connector.connect(&photoreal.solids, &ends, None);
+        self.connector.connect(&photoreal.solids, &ends);
         let found = std::mem::take(&mut self.connector.found);
         for (number, connection) in found.iter().enumerate() {
-            let is_colored = connection.steps.all().iter().any(|s| {
-                [s.before, s.beyond]
+            let is_colored = connection.nodes.iter().any(|node| {
+                [node.step.before, node.step.beyond]
                     .iter()
                     .any(|m| photoreal.solids.substance(*m).is_some_and(|m| m.is_dispersive))
             });
@@ -51,7 +51,7 @@ impl Tools<'_, '_> {
                 path,
                 vertex,
                 &sample,
-                &Offer { connection, ends: &ends, square, response, is_front, number },
+                &Offer { connection: &connection, ends: &ends, square, response, is_front, number },
             );
         }
         self.connector.found = found;
@@ -91,7 +91,7 @@ impl Tools<'_, '_> {
     /// Adds the light of one connection, if nothing stands in its way.
     fn offer(&mut self, path: &Path, vertex: &Vertex, sample: &LightSample, offer: &Offer) {
         let Offer { connection, ends, square, response, is_front, number } = *offer;
-        let wi = connection.wx.as_vec3();
+        let wi = connection.ends.wx.as_vec3();
         let leaves_front = vertex.n == Vec3::ZERO || wi.dot(vertex.n) > 0.0;
         if leaves_front != is_front {
             return;
@@ -100,8 +100,8 @@ impl Tools<'_, '_> {
         if f == Rgb::BLACK {
             return;
         }
-        let cos = cos_at(&sample.at, connection.wy.as_vec3());
-        let g = (connection.spread * square) as f32 * cos;
+        let cos = cos_at(&sample.at, connection.ends.wy.as_vec3());
+        let g = (connection.ends.spread * square) as f32 * cos;
         if g <= 0.0 {
             return;
         }
@@ -116,27 +116,26 @@ impl Tools<'_, '_> {
     }
 
     /// The straight parts of a connection.
-    fn add_legs(&mut self, vertex: &Vertex, sample: &LightSample, connection: &Connection, ends: &Ends) {
-        let steps = connection.steps.all();
-        let wi = connection.wx.as_vec3();
+    fn add_legs(&mut self, vertex: &Vertex, sample: &LightSample, connection: &Connection<'_>, ends: &Ends) {
+        let nodes = connection.nodes;
+        let wi = connection.ends.wx.as_vec3();
         let side = if wi.dot(vertex.n) < 0.0 { -vertex.n } else { vertex.n };
         let mut from = offset_origin(vertex.p, side, vertex.reach);
         let mut medium = ends.media.top(self.solids());
-        let mut d = connection.wx;
-        for (k, step) in steps.iter().enumerate() {
-            let v = connection.vertices[k];
+        let mut d = connection.ends.wx;
+        for (k, Node { step, n, p: v }) in nodes.iter().enumerate() {
             // The side of the face from which the light's way comes.
-            let near = if step.n.dot(d) < 0.0 { step.n } else { -step.n };
+            let near = if n.dot(d) < 0.0 { *n } else { -*n };
             let (p, near) = (v.as_vec3(), near.as_vec3());
             let reach = p.abs().max_element();
             self.shadows.leg(from, offset_origin(p, near, reach), medium);
             let leaving = if step.reflects { near } else { -near };
             from = offset_origin(p, leaving, reach);
             medium = step.after();
-            let next = connection.vertices.get(k + 1).filter(|_| k + 1 < steps.len()).unwrap_or(&ends.y);
-            d = (*next - v).normalize_or(DVec3::X);
+            let next = nodes.get(k + 1).map_or(ends.y, |node| node.p);
+            d = (next - *v).normalize_or(DVec3::X);
         }
-        let to = beside(&sample.at, ends.y.as_vec3(), connection.wy.as_vec3());
+        let to = beside(&sample.at, ends.y.as_vec3(), connection.ends.wy.as_vec3());
         self.shadows.leg(from, to, medium);
     }
 }
@@ -166,7 +165,7 @@ fn beside(at: &LightPoint, y: Vec3, wy: Vec3) -> Vec3 {
 
 /// A connection that may bring light.
 struct Offer<'a> {
-    connection: &'a Connection,
+    connection: &'a Connection<'a>,
     ends: &'a Ends,
     /// What turns square metres into steradians for what is infinitely far; else 1.
     square: f64,

@@ -42,13 +42,10 @@ pub fn chance_weight(
         1.0 / way.length_squared()
     } else if path.chain.is_solvable() {
         let ends = Ends { x, y: shining.y, media: origin.media, wavelength: path.wavelength };
-        connector.connect(&scene.photoreal.solids, &ends, Some(&path.chain));
-        // Several ways may lead through one ball: this is the one that starts as the path did.
-        let wi = double(origin.wi);
-        let found = connector.found.iter().max_by(|a, b| a.wx.dot(wi).total_cmp(&b.wx.dot(wi)));
-        match found {
-            Some(connection) if connection.wx.dot(wi) > 0.999 => connection.spread,
-            _ => return 1.0,
+        let solids = &scene.photoreal.solids;
+        match connector.spread_of(solids, &ends, &path.chain, double(origin.wi)) {
+            Some(spread) => spread,
+            None => return 1.0,
         }
     } else {
         return 1.0;

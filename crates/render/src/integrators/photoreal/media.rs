@@ -64,6 +64,11 @@ impl Media {
         self
     }
 
+    /// Those through which no connection is solved.
+    pub fn unclear<'a>(&'a self, solids: &'a Solids) -> impl Iterator<Item = u16> + 'a {
+        self.all().iter().copied().filter(|s| !solids.is_clear(*s))
+    }
+
     /// Whether that one is among them.
     #[inline]
     pub fn holds(&self, solid: u16) -> bool {

@@ -1,8 +1,10 @@
 //! The faces of clear solids that the straight line from x to y crosses: they say through which a connection is looked for.
 
 use super::super::chain::Face;
+use super::super::media::Media;
+use super::balls::outside;
 use super::{Ends, Step, Steps};
-use crate::compile::{Piece, Solids};
+use crate::compile::{Nest, Piece, Solids};
 use vitrine_math::{DVec3, Vec3};
 
 /// Crossings nearer to an end than this share of the coordinates are the end's own surface.
@@ -27,19 +29,72 @@ struct Crossing {
 pub struct Crossings {
     all: Vec<Crossing>,
     steps: Option<Steps>,
+    there: Media,
+}
+
+/// Where a bent line is reflected.
+#[derive(Clone, Copy, Debug)]
+pub struct Corner {
+    /// The place.
+    pub p: DVec3,
+    /// The solid whose face reflects.
+    pub solid: u16,
+    /// The face.
+    pub face: Face,
+    /// Its outward unit normal.
+    pub n: DVec3,
+    /// ⟨n, p⟩ on it.
+    pub offset: f64,
+    /// Whether the light comes from outside of the solid.
+    pub is_outside: bool,
 }
 
 impl Crossings {
-    /// Finds them.
+    /// Finds those of the straight line.
     pub fn find(&mut self, solids: &Solids, ends: &Ends) {
+        (self.steps, self.there) = (Some(Steps::default()), ends.media);
+        self.add(solids, ends.x, ends.y, None);
+    }
+
+    /// Finds those of the line by way of the centre of a nest, without those of the nest. Gives the number of surfaces before
+    /// the centre, and what is around the nest.
+    pub fn by_way_of(&mut self, solids: &Solids, ends: &Ends, nest: &Nest) -> Option<(usize, Media)> {
+        (self.steps, self.there) = (Some(Steps::default()), outside(nest, ends.media));
+        let center = nest.center.as_dvec3();
+        self.add(solids, ends.x, center, Some(nest));
+        let (before, media) = (self.steps.as_ref()?.all().len(), self.there);
+        self.add(solids, center, ends.y, Some(nest));
+        self.steps.is_some().then_some((before, media))
+    }
+
+    /// Finds those of the line that is reflected in one place.
+    pub fn bend(&mut self, solids: &Solids, ends: &Ends, corner: &Corner) {
+        (self.steps, self.there) = (Some(Steps::default()), ends.media);
+        self.add(solids, ends.x, corner.p, None);
+        let sides = self.there.across(solids, corner.solid, corner.is_outside);
+        // A face that something else hides, or at which the light does not arrive from that side.
+        let is_there = sides.before != sides.beyond && sides.before == self.there.top(solids);
+        let step = corner.step(sides.before, sides.beyond);
+        if is_there && self.steps.as_mut().is_some_and(|steps| steps.push(step)) {
+            self.add(solids, corner.p, ends.y, None);
+        } else {
+            self.steps = None;
+        }
+    }
+
+    /// Adds those of a part of the line; the balls of one nest can be left out.
+    fn add(&mut self, solids: &Solids, from: DVec3, to: DVec3, without: Option<&Nest>) {
         self.all.clear();
         for &solid in solids.clear() {
+            if without.is_some_and(|nest| nest.holds(solid)) {
+                continue;
+            }
             if let Some(piece) = &solids.get(solid).piece {
-                self.cross(solid, piece, ends);
+                self.cross(solid, piece, from, to);
             }
         }
         self.all.sort_by(|a, b| a.t.total_cmp(&b.t).then(a.solid.cmp(&b.solid)));
-        self.walk(solids, ends);
+        self.walk(solids);
     }
 
     /// The surfaces, one behind the other, at which light is bent; None when one of them is round or there are too many.
@@ -47,12 +102,15 @@ impl Crossings {
         self.steps.as_ref()
     }
 
-    fn walk(&mut self, solids: &Solids, ends: &Ends) {
-        let mut media = ends.media;
-        let mut steps = Some(Steps::default());
+    /// What holds y, seen from the side from which the line comes.
+    pub const fn there(&self) -> Media {
+        self.there
+    }
+
+    fn walk(&mut self, solids: &Solids) {
         for crossing in &self.all {
-            let sides = media.across(solids, crossing.solid, crossing.enters);
-            media = sides.media;
+            let sides = self.there.across(solids, crossing.solid, crossing.enters);
+            self.there = sides.media;
             if sides.before == sides.beyond {
                 continue;
             }
@@ -66,18 +124,17 @@ impl Crossings {
                 offset: crossing.offset,
             };
             let is_flat = crossing.n != DVec3::ZERO;
-            if !steps.as_mut().is_some_and(|steps| is_flat && steps.push(step)) {
-                steps = None;
+            if !self.steps.as_mut().is_some_and(|steps| is_flat && steps.push(step)) {
+                self.steps = None;
             }
         }
-        self.steps = steps;
     }
 
-    fn cross(&mut self, solid: u16, piece: &Piece, ends: &Ends) {
-        let (x, way) = (ends.x, ends.y - ends.x);
+    fn cross(&mut self, solid: u16, piece: &Piece, x: DVec3, y: DVec3) {
+        let way = y - x;
         // Each end by what its own coordinates and the surface's are rounded to: the sun is a million times as far as the glass is.
         let length = way.length();
-        let [of_x, of_y] = [ends.x, ends.y].map(|p| p.abs().max_element());
+        let [of_x, of_y] = [x, y].map(|p| p.abs().max_element());
         let mut add = |t: f64, enters: bool, face: Face, n: DVec3, offset: f64| {
             let [near, far] = [of_x, of_y].map(|p| OWN * p.max(offset.abs()) / length);
             if t > near && t < 1.0 - far {
@@ -108,8 +165,7 @@ impl Crossings {
                 let center = center.as_dvec3();
                 let (mut near, mut far) = ((f64::NEG_INFINITY, 0_usize, 0.0), (f64::INFINITY, 0_usize, 0.0));
                 for (k, (axis, half)) in axes.iter().zip(half).enumerate() {
-                    // Of unit length in double precision, too.
-                    let axis = axis.as_dvec3().normalize();
+                    let axis = unit(*axis);
                     let (at, slope, half) = (axis.dot(x - center), axis.dot(way), f64::from(*half));
                     if slope == 0.0 {
                         if at.abs() > half {
@@ -128,7 +184,7 @@ impl Crossings {
                 }
                 if near.0 < far.0 {
                     for ((t, k, sign), enters) in [(near, true), (far, false)] {
-                        let n = axes[k].as_dvec3().normalize() * sign;
+                        let n = unit(axes[k]) * sign;
                         let face = 2 * k as Face + Face::from(sign > 0.0);
                         add(t, enters, face, n, n.dot(center) + f64::from(half[k]));
                     }
@@ -136,6 +192,14 @@ impl Crossings {
             }
         }
     }
+}
+
+/// A vector of unit length in single precision, so long in double precision, too.
+#[inline]
+pub fn unit(axis: Vec3) -> DVec3 {
+    let axis = axis.as_dvec3();
+    // 1/√(1+ε) = 1 − ε/2 + O(ε²)
+    axis * (1.5 - 0.5 * axis.length_squared())
 }
 
 /// The face of a piece with that outward normal.

@@ -1,33 +1,38 @@
-//! From a chain of surfaces to the way through them.
+//! From a chain of flat faces to the way through them.
 
-use super::{Connection, MOST_STEPS, Search, Step, Steps};
-use crate::compile::Piece;
+use super::super::chain::Face;
+use super::found::{Found, Leaving, Node};
+use super::{MOST_STEPS, Search, Step, Steps};
+use crate::compile::{AIR, Piece};
 use vitrine_math::DVec3;
-use vitrine_optics::connect::faces::{self, Face as FlatFace};
+use vitrine_optics::connect::Target;
+use vitrine_optics::connect::faces::{self, Care, Face as FlatFace};
 use vitrine_optics::connect::planes::{self, Stack};
-use vitrine_optics::connect::sphere::{self, Way};
-use vitrine_optics::connect::{Chain, Chains, Target};
 
 /// Faces whose normals' cosine differs from 1 by less are parallel.
-const PARALLEL: f64 = 1e-9;
-/// The most reflections inside a ball that are solved: one makes the rainbow's bright side.
-const MOST_INSIDE: u32 = 1;
+pub const PARALLEL: f64 = 1e-9;
 
-/// The way through flat faces, if there is one that meets them inside their edges.
-pub fn flat(search: &Search, steps: &Steps) -> Option<Connection> {
+/// Where a way meets its faces.
+type Vertices = [DVec3; MOST_STEPS];
+
+/// Adds the way through flat faces, if there is one that meets them inside their edges.
+pub fn solve(search: &Search, steps: &Steps, found: &mut Found) {
     let all = steps.all();
-    let n = all.first()?.n;
-    let is_parallel = all.iter().all(|s| 1.0 - s.n.dot(n).abs() < PARALLEL);
-    let connection = if is_parallel { parallel(search, steps, n)? } else { slanted(search, steps)? };
-    let is_inside = all.iter().zip(&connection.vertices).all(|(s, v)| is_on_face(search, s, *v));
-    is_inside.then_some(connection)
+    let Some(first) = all.first().filter(|_| is_possible(search, all)) else { return };
+    let is_parallel = all.iter().all(|s| 1.0 - s.n.dot(first.n).abs() < PARALLEL);
+    let way = if is_parallel { parallel(search, steps, first.n) } else { slanted(search, steps) };
+    let Some((ends, vertices)) = way else { return };
+    if all.iter().zip(&vertices).all(|(s, v)| is_met(search, s, *v)) {
+        let nodes = all.iter().zip(&vertices).map(|(step, p)| Node { step: *step, n: step.n, p: *p });
+        found.push(ends, nodes);
+    }
 }
 
 /// Through parallel faces. Where light is reflected, the rest of the way is unfolded: a mirror image of it goes straight on.
-fn parallel(search: &Search, steps: &Steps, n: DVec3) -> Option<Connection> {
-    let (all, ends) = (steps.all(), search.ends);
+fn parallel(search: &Search, steps: &Steps, n: DVec3) -> Option<(Leaving, Vertices)> {
+    let (all, x, y) = (steps.all(), search.ends.x, search.ends.y);
     let heights = all.iter().map(|s| s.offset * s.n.dot(n).signum());
-    let mut height = n.dot(ends.x);
+    let mut height = n.dot(x);
     let first = heights.clone().next()?;
     let start = if first > height { 1.0 } else { -1.0 };
     let (mut side, mut unfolded) = (start, 0.0);
@@ -47,37 +52,32 @@ fn parallel(search: &Search, steps: &Steps, n: DVec3) -> Option<Connection> {
             side = -side;
         }
     }
-    let last = (n.dot(ends.y) - height) * side;
+    let last = (n.dot(y) - height) * side;
     if last <= 0.0 {
         return None;
     }
-    let way = ends.y - ends.x;
+    let way = y - x;
     let along = n * start;
     let lateral = way - n * n.dot(way);
     let y = lateral + along * (unfolded + last);
     let stack = Stack { n: along, offsets: &offsets[..all.len()], indices: &indices[..=all.len()] };
     let way = planes::connect(DVec3::ZERO, Target::Point(y), &stack)?;
-    let mut connection = Connection {
-        steps: *steps,
-        vertices: [DVec3::ZERO; MOST_STEPS],
-        wx: way.wx,
-        wy: way.wy,
-        spread: way.spread,
-    };
+    let mut ends = Leaving { wx: way.wx, wy: way.wy, spread: way.spread };
+    let mut vertices = [DVec3::ZERO; MOST_STEPS];
+    let foot = x - n * n.dot(x);
     for (k, vertex) in way.vertices().iter().enumerate() {
         // Folded back: as far along the faces, at its face's own height.
         let across = *vertex - n * n.dot(*vertex);
-        let foot = ends.x - n * n.dot(ends.x);
-        connection.vertices[k] = foot + across + n * at[k];
+        vertices[k] = foot + across + n * at[k];
     }
     if side * start < 0.0 {
-        connection.wy -= n * (2.0 * n.dot(connection.wy));
+        ends.wy -= n * (2.0 * n.dot(ends.wy));
     }
-    Some(connection)
+    Some((ends, vertices))
 }
 
 /// Through faces that are not parallel.
-fn slanted(search: &Search, steps: &Steps) -> Option<Connection> {
+fn slanted(search: &Search, steps: &Steps) -> Option<(Leaving, Vertices)> {
     let all = steps.all();
     let none = FlatFace { point: DVec3::ZERO, n: DVec3::Z, before: 1.0, behind: 1.0, is_mirror: false };
     let mut flat = [none; MOST_STEPS];
@@ -90,8 +90,44 @@ fn slanted(search: &Search, steps: &Steps) -> Option<Connection> {
             is_mirror: step.reflects,
         };
     }
-    let way = faces::connect(search.ends.x, Target::Point(search.ends.y), &flat[..all.len()])?;
-    Some(taken(&way, *steps))
+    // Many ways are not there, and to make sure of that takes long.
+    let way = faces::connect(search.ends.x, Target::Point(search.ends.y), &flat[..all.len()], Care::Quick)?;
+    let mut vertices = [DVec3::ZERO; MOST_STEPS];
+    for (to, from) in vertices.iter_mut().zip(way.vertices()) {
+        *to = *from;
+    }
+    Some((Leaving { wx: way.wx, wy: way.wy, spread: way.spread }, vertices))
+}
+
+/// Whether no block is entered and left by faces between which light cannot pass.
+///
+/// Inside, |cos|² between the way and each of the two normals is at least 1 − (n_outside/n)², mirrors at other faces of it keep both, and
+/// at right angles the squares add up to 1 at most: between two sides of glass that meet none passes if n² > 2.
+fn is_possible(search: &Search, all: &[Step]) -> bool {
+    let least = |step: &Step, outside: u16| {
+        let ratio = search.index(outside) / search.index(step.solid);
+        (1.0 - ratio * ratio).max(0.0)
+    };
+    let mut entered: Option<(u16, Face, f64)> = None;
+    for step in all {
+        if step.reflects {
+            entered = entered.filter(|(solid, ..)| *solid == step.solid);
+        } else if step.beyond == step.solid {
+            entered = Some((step.solid, step.face / 2, least(step, step.before)));
+        } else if let Some((solid, axis, of_entry)) = entered.take()
+            && solid == step.solid
+            && axis != step.face / 2
+            && of_entry + least(step, step.beyond) > 1.0
+        {
+            return false;
+        }
+    }
+    true
+}
+
+/// Whether a way meets a surface in a point: it lies inside the edges of its face, and nothing else is there.
+pub fn is_met(search: &Search, step: &Step, vertex: DVec3) -> bool {
+    is_on_face(search, step, vertex) && is_as_assumed(search, step, vertex)
 }
 
 /// Whether a vertex lies inside the edges of its face.
@@ -106,99 +142,19 @@ fn is_on_face(search: &Search, step: &Step, vertex: DVec3) -> bool {
     }
 }
 
-fn taken(way: &Chain, steps: Steps) -> Connection {
-    let mut vertices = [DVec3::ZERO; MOST_STEPS];
-    for (to, from) in vertices.iter_mut().zip(way.vertices()) {
-        *to = *from;
-    }
-    Connection { steps, vertices, wx: way.wx, wy: way.wy, spread: way.spread }
-}
-
-/// A clear ball.
-pub struct Ball {
-    /// The solid.
-    pub solid: u16,
-    /// Metres.
-    pub center: DVec3,
-    /// Metres.
-    pub radius: f64,
-    /// What is at x.
-    pub here: u16,
-}
-
-/// All ways off a ball and through it.
-pub fn ball(search: &Search, ball: &Ball, chains: &mut Chains, found: &mut Vec<Connection>) {
-    let ends = search.ends;
-    let is_in = |p: DVec3| (p - ball.center).length() < ball.radius * (1.0 - 1e-6);
-    match (is_in(ends.x), is_in(ends.y)) {
-        (false, false) => through(search, ball, chains, found),
-        (true, false) if ends.media.holds(ball.solid) => out_of(search, ball, chains, found),
-        _ => {}
-    }
-}
-
-fn through(search: &Search, ball: &Ball, chains: &mut Chains, found: &mut Vec<Connection>) {
-    let ends = search.ends;
-    let outside = ends.media.without(ball.solid);
-    let sides = outside.across(search.solids, ball.solid, true);
-    // Something else is there in its place.
-    if sides.before != ball.here || sides.beyond != ball.solid {
-        return;
-    }
-    let eta = search.index(ball.solid) / search.index(ball.here);
-    let target = Target::Point(ends.y);
-    let form = sphere::Ball { center: ball.center, radius: ball.radius, eta };
-    for way in std::iter::once(Way::Off).chain((0..=MOST_INSIDE).map(Way::Across)) {
-        let steps = steps_through(ball, way);
-        if !search.wants(&steps.chain()) {
-            continue;
-        }
-        chains.clear();
-        sphere::connect(ends.x, target, &form, way, chains);
-        found.extend(chains.as_slice().iter().map(|c| with_normals(ball, taken(c, steps))));
-    }
-}
-
-/// Off a ball, or in, some reflections inside, and out again.
-fn steps_through(ball: &Ball, way: Way) -> Steps {
-    let &Ball { solid, here, .. } = ball;
-    let off = Step { solid, reflects: true, before: here, beyond: solid, ..Step::NONE };
-    let echo = Step { before: solid, beyond: here, ..off };
-    let mut steps = Steps::default();
-    let Way::Across(inside) = way else {
-        steps.push(off);
-        return steps;
+/// Whether a vertex lies between what the line that showed the way has found there: the way goes beside the line, and surfaces that
+/// are hidden may end in between.
+fn is_as_assumed(search: &Search, step: &Step, vertex: DVec3) -> bool {
+    let Search { solids, ends, .. } = search;
+    let p = vertex.as_vec3();
+    let holds = |solid: u16| match &solids.get(solid).piece {
+        Some(piece) => piece.holds(p),
+        None => true,
     };
-    steps.push(Step { reflects: false, ..off });
-    for _ in 0..inside {
-        steps.push(echo);
-    }
-    steps.push(Step { reflects: false, ..echo });
-    steps
-}
-
-fn out_of(search: &Search, ball: &Ball, chains: &mut Chains, found: &mut Vec<Connection>) {
-    let ends = search.ends;
-    let sides = ends.media.across(search.solids, ball.solid, false);
-    if sides.before != ball.solid || sides.beyond == ball.solid {
-        return;
-    }
-    let mut steps = Steps::default();
-    steps.push(Step { solid: ball.solid, before: ball.solid, beyond: sides.beyond, ..Step::NONE });
-    if !search.wants(&steps.chain()) {
-        return;
-    }
-    let eta = search.index(ball.solid) / search.index(sides.beyond);
-    chains.clear();
-    let form = sphere::Ball { center: ball.center, radius: ball.radius, eta };
-    sphere::connect(ends.x, Target::Point(ends.y), &form, Way::Out(0), chains);
-    found.extend(chains.as_slice().iter().map(|c| with_normals(ball, taken(c, steps))));
-}
-
-/// With the ball's normals where the way meets it.
-fn with_normals(ball: &Ball, mut connection: Connection) -> Connection {
-    for k in 0..connection.steps.len {
-        connection.steps.all[k].n = (connection.vertices[k] - ball.center) / ball.radius;
-    }
-    connection
+    let rank = |solid: &u16| solids.get(*solid).rank;
+    let others = solids.clear().iter().copied().chain(ends.media.unclear(solids));
+    let outside = others.filter(|s| *s != step.solid && holds(*s)).min_by_key(rank).unwrap_or(AIR);
+    let [inside, around] =
+        if step.before == step.solid { [step.before, step.beyond] } else { [step.beyond, step.before] };
+    inside == step.solid && around == outside
 }

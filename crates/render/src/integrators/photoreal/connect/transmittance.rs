@@ -1,6 +1,6 @@
 //! How much of the light gets along a connection: reflected and passed at its surfaces, faded between them.
 
-use super::{Connection, Ends};
+use super::{Connection, Ends, found};
 use crate::compile::Solids;
 use crate::integrators::TileTask;
 use vitrine_math::Rgb;
@@ -9,17 +9,15 @@ use vitrine_optics::fresnel;
 /// τ = Π(1−F_i or F_i) · Π exp(−σ_j ℓ_j), times (n_x/n_y)², which radiance gains or loses between two media.
 ///
 /// The way lies in one plane at each surface of a stack or a ball, so the two polarisations are followed each on its own.
-pub fn transmittance(task: &TileTask, solids: &Solids, connection: &Connection, ends: &Ends) -> Rgb {
+pub fn transmittance(task: &TileTask, solids: &Solids, connection: &Connection<'_>, ends: &Ends) -> Rgb {
     let index = |solid: u16| solids.substance(solid).map_or(1.0, |s| s.index_at(ends.wavelength));
-    let steps = connection.steps.all();
     let first = ends.media.top(solids);
     let (mut s, mut p, mut tau) = (0.5_f32, 0.5_f32, Rgb::WHITE);
     let (mut from, mut medium) = (ends.x, first);
-    for (k, step) in steps.iter().enumerate() {
-        let vertex = connection.vertices[k];
-        let way = vertex - from;
+    for found::Node { step, n, p: vertex } in connection.nodes {
+        let way = *vertex - from;
         tau = tau * solids.transmittance(medium, way.length() as f32);
-        let cos = (way.dot(step.n) / way.length()).abs() as f32;
+        let cos = (way.dot(*n) / way.length()).abs() as f32;
         let (rs, rp) = fresnel::dielectric_sp(cos, index(step.beyond) / index(step.before));
         if task.settings.unpolarised {
             let r = 0.5 * (rs + rp);
@@ -36,7 +34,7 @@ pub fn transmittance(task: &TileTask, solids: &Solids, connection: &Connection, 
             let material = scene.primitives[primitive].material as usize;
             tau = tau * scene.physical[material].surface.transmission_tint;
         }
-        (from, medium) = (vertex, step.after());
+        (from, medium) = (*vertex, step.after());
     }
     tau = tau * solids.transmittance(medium, (ends.y - from).length() as f32);
     let ratio = index(first) / index(medium);

@@ -1,0 +1,170 @@
+//! Ways with a reflection at a flat face: off panes and water, and off the inside of a pane's faces, where light that came in by another
+//! face is often reflected totally, as at the edges of a shelf.
+//!
+//! The straight line from x to the mirror image of y says where the light is reflected. Folded back, it is a bent line from x over the
+//! mirror to y, and what that crosses are the surfaces of the way, as the straight line says those of a way without a mirror.
+
+use super::super::chain::Face;
+use super::crossings::{Corner, Crossings, unit};
+use super::flat::offer;
+use super::found::Found;
+use super::solve::PARALLEL;
+use super::{Search, Step};
+use crate::compile::Piece;
+use vitrine_math::DVec3;
+
+/// So many bent lines are tried from each point.
+const MOST_LINES: usize = 16;
+
+/// Adds all such ways.
+pub fn connect(search: &Search, bent: &mut Crossings, found: &mut Found) {
+    let mut mirrors = Mirrors { search, bent, found, left: MOST_LINES };
+    for &solid in search.solids.clear() {
+        match search.solids.get(solid).piece {
+            Some(Piece::Below { n, offset }) => mirrors.plane(solid, n.as_dvec3(), offset.into()),
+            Some(Piece::Block { center, axes, half }) => {
+                let axes = axes.map(unit);
+                let local = |p: DVec3| DVec3::from_array(axes.map(|axis| axis.dot(p - center.as_dvec3())));
+                let (x, y) = (local(search.ends.x), local(search.ends.y));
+                let block = Block { solid, center: center.as_dvec3(), axes, half: half.map(f64::from), x, y };
+                mirrors.block(&block);
+            }
+            _ => {}
+        }
+        if mirrors.left == 0 {
+            return;
+        }
+    }
+}
+
+/// A block with the ends in its own space, where its middle is the origin.
+struct Block {
+    solid: u16,
+    center: DVec3,
+    axes: [DVec3; 3],
+    half: [f64; 3],
+    x: DVec3,
+    y: DVec3,
+}
+
+/// One of its faces.
+#[derive(Clone, Copy)]
+struct Side {
+    axis: usize,
+    sign: f64,
+}
+
+impl Block {
+    /// How far beyond a face the two ends are.
+    fn heights(&self, side: Side) -> [f64; 2] {
+        let Side { axis, sign } = side;
+        [self.x, self.y].map(|p| p[axis] * sign - self.half[axis])
+    }
+
+    /// Whether a point is on the block, seen along an axis.
+    fn covers(&self, p: DVec3, axis: usize) -> bool {
+        (0..3).filter(|k| *k != axis).all(|k| p[k].abs() <= self.half[k])
+    }
+
+    fn corner(&self, side: Side, p: DVec3, is_outside: bool) -> Corner {
+        let Side { axis, sign } = side;
+        let n = self.axes[axis] * sign;
+        let p = self.center + self.axes[0] * p.x + self.axes[1] * p.y + self.axes[2] * p.z;
+        let offset = n.dot(self.center) + self.half[axis];
+        Corner {
+            p,
+            solid: self.solid,
+            face: 2 * axis as Face + Face::from(sign > 0.0),
+            n,
+            offset,
+            is_outside,
+        }
+    }
+
+    /// Where the light is reflected at one face.
+    fn at(&self, side: Side) -> Option<Corner> {
+        let [hx, hy] = self.heights(side);
+        // On one side of it.
+        if hx * hy <= 0.0 {
+            return None;
+        }
+        let mut p = self.x + (self.y - self.x) * (hx / (hx + hy));
+        p[side.axis] = side.sign * self.half[side.axis];
+        self.covers(p, side.axis).then(|| self.corner(side, p, hx > 0.0))
+    }
+}
+
+struct Mirrors<'a, 's> {
+    search: &'a Search<'s>,
+    bent: &'a mut Crossings,
+    found: &'a mut Found,
+    left: usize,
+}
+
+impl Mirrors<'_, '_> {
+    fn plane(&mut self, solid: u16, n: DVec3, offset: f64) {
+        let ends = self.search.ends;
+        let [hx, hy] = [ends.x, ends.y].map(|p| n.dot(p) - offset);
+        if hx * hy > 0.0 {
+            let (x, y) = (ends.x - n * hx, ends.y - n * hy);
+            let p = x + (y - x) * (hx / (hx + hy));
+            self.over(&Corner { p, solid, face: 0, n, offset, is_outside: hx > 0.0 });
+        }
+    }
+
+    fn block(&mut self, block: &Block) {
+        for axis in 0..3 {
+            for sign in [-1.0, 1.0] {
+                let side = Side { axis, sign };
+                if let Some(corner) = block.at(side) {
+                    self.over(&corner);
+                }
+            }
+        }
+    }
+
+    /// The way over this mirror.
+    fn over(&mut self, corner: &Corner) {
+        if self.left == 0 {
+            return;
+        }
+        self.left -= 1;
+        let Search { solids, ends, only, .. } = self.search;
+        if only.is_some_and(|only| !only.holds(corner.solid, corner.face, true)) {
+            return;
+        }
+        self.bent.bend(solids, ends, corner);
+        if let Some(steps) = self.bent.steps()
+            && is_worth_it(self.search, steps.all())
+        {
+            offer(self.search, steps, self.found);
+        }
+    }
+}
+
+/// Whether a way over a mirror is cheap to solve, for all faces are parallel, or likely to bring much light, for the mirror is met from
+/// inside, behind a face that is not parallel: there light is reflected totally for the most part.
+fn is_worth_it(search: &Search, all: &[Step]) -> bool {
+    let is_parallel = |a: &Step, b: &Step| a.n.dot(b.n).abs() > 1.0 - PARALLEL;
+    if all.iter().all(|step| is_parallel(step, &all[0])) {
+        return true;
+    }
+    let mut entry: Option<&Step> = None;
+    all.iter().all(|step| {
+        if !step.reflects {
+            entry = Some(step);
+            return true;
+        }
+        step.before == step.solid
+            && search.index(step.before) > search.index(step.beyond)
+            && entry.is_none_or(|entry| !is_parallel(entry, step))
+    })
+}
+
+impl Corner {
+    /// The mirror as a surface of the way.
+    pub fn step(&self, before: u16, beyond: u16) -> Step {
+        let &Self { solid, face, n, offset, .. } = self;
+        Step { solid, face, reflects: true, n, before, beyond, offset }
+    }
+}
