@@ -25,8 +25,10 @@ pub enum Draw {
     ConnectionWavelength = 6,
     /// How far light goes in milky glass.
     Distance = 7,
+    /// Whether ways with reflections are looked for.
+    Reflections = 8,
     /// Whether faint light is worth a shadow ray: this one and those after it, one for each connection.
-    Faint = 8,
+    Faint = 9,
 }
 
 /// How many there are.

@@ -2,7 +2,7 @@
 
 use super::super::media::Media;
 use super::found::{Found, Leaving, Node};
-use super::{MOST_STEPS, Search, Step, Steps};
+use super::{Kinds, MOST_STEPS, Search, Step, Steps};
 use crate::compile::{AIR, MOST_SHELLS, Nest};
 use vitrine_math::DVec3;
 use vitrine_optics::connect::shells::{self, Course, Pair, Shell};
@@ -85,7 +85,7 @@ impl<'a> Around<'a> {
 
     /// Calls `try_one` with all courses of which connections are looked for: through, to any depth, and with one reflection at
     /// any surface, from outside or inside.
-    fn each_course(&self, mut try_one: impl FnMut(&Course, &Steps)) {
+    fn each_course(&self, kinds: Kinds, mut try_one: impl FnMut(&Course, &Steps)) {
         let (count, within) = (self.nest.balls.len(), self.within);
         let [i, j] = within;
         let deepest = i.max(j);
@@ -96,8 +96,13 @@ impl<'a> Around<'a> {
                 try_one(&course, &steps);
             }
         };
-        for depth in deepest..=count {
-            offer(Course::through(within, depth));
+        if kinds.bright {
+            for depth in deepest..=count {
+                offer(Course::through(within, depth));
+            }
+        }
+        if !kinds.faint {
+            return;
         }
         for mirror in deepest..count {
             offer(Course::back(within, mirror));
@@ -121,7 +126,7 @@ impl<'a> Around<'a> {
         let optical = self.optical();
         let ends = search.ends;
         let Some(pair) = Pair::new(ends.x, Target::Point(ends.y), &optical) else { return };
-        self.each_course(|course, steps| {
+        self.each_course(search.kinds, |course, steps| {
             if !search.wants(&steps.chain()) {
                 return;
             }
@@ -147,7 +152,7 @@ impl<'a> Around<'a> {
         let ends = search.ends;
         let pair = Pair::new(ends.x, Target::Point(ends.y), &optical)?;
         let mut spread = None;
-        self.each_course(|course, steps| {
+        self.each_course(search.kinds, |course, steps| {
             if search.wants(&steps.chain()) {
                 spread = pair.spread_of(wx, course);
             }

@@ -12,15 +12,18 @@ const MOST_ECHOES: usize = 2;
 
 /// Adds them all.
 pub fn connect(search: &Search, [line, bent]: [&mut Crossings; 2], found: &mut Found) {
-    match line.steps() {
-        Some(steps) if steps.all().is_empty() => straight(search, found),
-        Some(steps) => {
-            offer(search, steps, found);
+    let kinds = search.kinds;
+    if let Some(steps) = line.steps() {
+        if kinds.bright {
+            if steps.all().is_empty() { straight(search, found) } else { offer(search, steps, found) }
+        }
+        if kinds.faint {
             echoes(search, steps, found);
         }
-        None => {}
     }
-    mirrors::connect(search, bent, found);
+    if kinds.faint {
+        mirrors::connect(search, bent, found);
+    }
 }
 
 /// Adds the way through these faces, if it is wanted.

@@ -55,6 +55,11 @@ impl Found {
         self.ways.push((ends, self.nodes.len()));
     }
 
+    /// How many there are.
+    pub const fn len(&self) -> usize {
+        self.ways.len()
+    }
+
     /// The ways.
     pub fn iter(&self) -> impl Iterator<Item = Connection<'_>> {
         let mut from = 0;

@@ -121,20 +121,38 @@ pub struct Connector {
     chains: Chains,
     /// What has been found.
     pub found: Found,
+    /// How many of those, the first, are not faint.
+    pub bright: usize,
 }
 
 impl Connector {
-    /// All connections. Where there is no clear solid the straight line is all, and this need not be called.
-    pub fn connect(&mut self, solids: &Solids, ends: &Ends) {
+    /// All connections, the faint ones only if they are wanted. Where there is no clear solid the straight line is all, and this need
+    /// not be called.
+    pub fn connect(&mut self, solids: &Solids, ends: &Ends, with_faint: bool) {
         self.line.find(solids, ends);
-        let search = Search { solids, ends, there: self.line.there(), only: None };
         self.found.clear();
-        flat::connect(&search, [&mut self.line, &mut self.bent], &mut self.found);
-        for nest in solids.nests() {
-            if let Some(around) = Around::new(&search, nest) {
-                around.connect(&search, &mut self.chains, &mut self.found);
+        let mut search = Search {
+            solids,
+            ends,
+            there: self.line.there(),
+            only: None,
+            kinds: Kinds { bright: true, faint: false },
+        };
+        self.look(&search);
+        self.bright = self.found.len();
+        if with_faint {
+            search.kinds = Kinds { bright: false, faint: true };
+            self.look(&search);
+        }
+    }
+
+    fn look(&mut self, search: &Search) {
+        flat::connect(search, [&mut self.line, &mut self.bent], &mut self.found);
+        for nest in search.solids.nests() {
+            if let Some(around) = Around::new(search, nest) {
+                around.connect(search, &mut self.chains, &mut self.found);
             }
-            mixed::connect(&search, nest, (&mut self.bent, &mut self.chains), &mut self.found);
+            mixed::connect(search, nest, (&mut self.bent, &mut self.chains), &mut self.found);
         }
     }
 
@@ -145,7 +163,13 @@ impl Connector {
             return None;
         }
         self.line.find(solids, ends);
-        let search = Search { solids, ends, there: self.line.there(), only: Some(chain) };
+        let search = Search {
+            solids,
+            ends,
+            there: self.line.there(),
+            only: Some(chain),
+            kinds: Kinds { bright: true, faint: true },
+        };
         self.found.clear();
         match solids.nests().iter().find(|nest| chain.solids().any(|s| nest.holds(s))) {
             None => flat::connect(&search, [&mut self.line, &mut self.bent], &mut self.found),
@@ -161,6 +185,15 @@ impl Connector {
     }
 }
 
+/// Kinds of ways: those straight through all surfaces bring most of the light, those with a reflection mostly a few hundredths of it.
+#[derive(Clone, Copy, Debug)]
+struct Kinds {
+    /// Without reflections.
+    bright: bool,
+    /// With reflections.
+    faint: bool,
+}
+
 /// What is searched for.
 pub(super) struct Search<'a> {
     solids: &'a Solids,
@@ -168,6 +201,7 @@ pub(super) struct Search<'a> {
     /// What holds y.
     there: Media,
     only: Option<&'a Chain>,
+    kinds: Kinds,
 }
 
 impl Search<'_> {
