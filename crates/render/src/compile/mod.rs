@@ -21,7 +21,7 @@ pub use materials::{CompiledMaterial, CompiledTexture};
 pub use nests::{MOST_SHELLS, Nest};
 pub use photoreal::LazyPhotoreal;
 pub use physical::CompiledPhysical;
-pub use solids::{AIR, Piece, Solids, probe};
+pub use solids::{AIR, Mirror, Piece, Solids, probe};
 pub use touching::reach_of;
 
 use crate::accel::simd::Instructions;

@@ -120,7 +120,7 @@ impl<'a> Parts<'a> {
 impl Photoreal {
     /// All but what the camera is inside of, for which rays are needed.
     fn new(parts: &Parts) -> Self {
-        let solids = Solids::new(solids(parts), parts.primitives.len());
+        let solids = Solids::new(solids(parts), parts.primitives.len()).with_mirrors(mirrors(parts));
         let is_sheet = |p: &Primitive| {
             let materials = parts.materials_of(p);
             materials.iter().any(CompiledPhysical::is_transmissive) && is_thin(&materials[0].numbers, p)
@@ -155,6 +155,13 @@ fn solids<'a>(parts: &'a Parts) -> impl Iterator<Item = Candidate<'a>> {
             is_clear: materials.iter().all(|m| m.is_clear),
         })
     })
+}
+
+/// The things of polished metal, each with its place in the scene.
+fn mirrors<'a>(parts: &'a Parts) -> impl Iterator<Item = (u32, &'a Primitive)> {
+    (0..)
+        .zip(parts.primitives)
+        .filter(|(_, primitive)| parts.materials_of(primitive).iter().all(|m| m.is_mirror))
 }
 
 /// The scene's lights.

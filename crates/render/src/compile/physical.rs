@@ -103,6 +103,8 @@ pub struct CompiledPhysical {
     pub emission: Rgb,
     /// Whether its surface is that of clear glass or water: smooth, the same everywhere, and all that is not reflected passes.
     pub is_clear: bool,
+    /// Whether its surface is that of a mirror: polished bare metal, the same everywhere.
+    pub is_mirror: bool,
 }
 
 /// Surfaces of less roughness are smooth.
@@ -119,11 +121,17 @@ impl CompiledPhysical {
         let is_bare = numbers.coat_weight == 0.0 && numbers.thin_film_weight == 0.0;
         let is_clear =
             passes_all && is_bare && numbers.specular_roughness < SMOOTH && textures.leaves_glass_clear();
+        let is_mirror = numbers.base_metalness >= 1.0
+            && is_bare
+            && numbers.specular_roughness < SMOOTH
+            && numbers.emission_luminance == 0.0
+            && textures.is_empty();
         Self {
             surface: surface_of(&numbers),
             substance: Substance::new(&numbers),
             emission: dimmed(numbers.emission_color * numbers.emission_luminance),
             is_clear,
+            is_mirror,
             textures,
             numbers: Arc::new(numbers),
         }

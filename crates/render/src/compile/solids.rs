@@ -12,10 +12,14 @@ use vitrine_math::{Ray, Rgb, Vec3};
 
 /// No solid.
 pub const AIR: u16 = u16::MAX;
+/// Mirrors have numbers from here on.
+const MIRRORS: u16 = 0xff00;
+/// The most mirrors off which connections are solved: the first ones of the scene.
+const MOST_MIRRORS: usize = 8;
 /// Balls and blocks that reach into each other by less than this share of the ball only touch.
 const TOUCH: f32 = 1e-5;
 /// The most solids that are told apart; what comes after them is taken for thin walls.
-const MOST: usize = u16::MAX as usize;
+const MOST: usize = MIRRORS as usize;
 
 /// A transparent thing with an inside.
 #[derive(Clone, Debug)]
@@ -125,6 +129,19 @@ pub struct Solids {
     clear: Vec<u16>,
     /// The balls among those.
     nests: Vec<Nest>,
+    /// Balls of polished metal.
+    mirrors: Vec<Mirror>,
+}
+
+/// A ball of polished metal: nothing passes it, and connections are solved off it.
+#[derive(Clone, Copy, Debug)]
+pub struct Mirror {
+    /// Its place among the scene's primitives.
+    pub primitive: u32,
+    /// Metres.
+    pub center: Vec3,
+    /// Metres.
+    pub radius: f32,
 }
 
 /// A solid to be.
@@ -175,6 +192,41 @@ impl Solids {
         all
     }
 
+    /// Takes the first balls among primitives of polished metal, each with its place in the scene, for mirrors.
+    #[must_use]
+    pub fn with_mirrors<'a>(mut self, metal: impl Iterator<Item = (u32, &'a Primitive)>) -> Self {
+        let ball = |(id, primitive): (u32, &'a Primitive)| match primitive.form {
+            Form::Sphere { center, radius } => Some(Mirror { primitive: id, center, radius }),
+            _ => None,
+        };
+        self.mirrors = metal.filter_map(ball).take(MOST_MIRRORS).collect();
+        self
+    }
+
+    /// The mirrors, each with the number by which chains of surfaces know it.
+    #[inline]
+    pub fn mirrors(&self) -> impl Iterator<Item = (u16, &Mirror)> {
+        (MIRRORS..).zip(&self.mirrors)
+    }
+
+    /// The mirror of that number.
+    #[inline]
+    pub fn mirror(&self, number: u16) -> Option<&Mirror> {
+        self.mirrors.get(usize::from(number.checked_sub(MIRRORS)?))
+    }
+
+    /// The number of the mirror that a primitive is.
+    #[inline]
+    pub fn mirror_of_primitive(&self, primitive: u32) -> Option<u16> {
+        self.mirrors().find(|(_, mirror)| mirror.primitive == primitive).map(|(number, _)| number)
+    }
+
+    /// Whether there is nothing through or off which connections are solved.
+    #[inline]
+    pub fn is_plain(&self) -> bool {
+        self.clear.is_empty() && self.mirrors.is_empty()
+    }
+
     /// The solid that a primitive is, or [`AIR`].
     #[inline]
     pub fn of_primitive(&self, primitive: u32) -> u16 {
@@ -219,10 +271,11 @@ impl Solids {
         self.clear.binary_search(&solid).is_ok()
     }
 
-    /// Forgets which ones are clear, so that no connection is solved through any.
+    /// Forgets which ones are clear and which are mirrors, so that no connection is solved through or off any.
     pub fn forget_clear(&mut self) {
         self.clear.clear();
         self.nests.clear();
+        self.mirrors.clear();
     }
 
     /// The clear balls, each with those around the same centre.

@@ -30,7 +30,7 @@ impl Tools<'_, '_> {
                 (x + double(toward) * photoreal.far, photoreal.far * photoreal.far)
             }
         };
-        if photoreal.solids.clear().is_empty() {
+        if photoreal.solids.is_plain() {
             self.offer_straight(path, vertex, &sample);
             return;
         }

@@ -383,6 +383,8 @@ impl Tools<'_, '_> {
             path.origin = Origin { x: spot.p, n, pdf: sample.pdf, wi, media };
             path.chain = Chain::default();
             path.is_seen = false;
+        } else if let Some(mirror) = self.solids().mirror_of_primitive(spot.hit.primitive) {
+            path.chain.push(mirror, 0, true);
         } else if solid != AIR || !sample.event.is_transmission {
             self.add_to_chain(path, solid, spot, !sample.event.is_transmission);
         }

@@ -9,6 +9,7 @@ mod balls;
 mod crossings;
 mod flat;
 mod found;
+mod metal;
 mod mirrors;
 mod mixed;
 mod solve;
@@ -154,6 +155,7 @@ impl Connector {
             }
             mixed::connect(search, nest, (&mut self.bent, &mut self.chains), &mut self.found);
         }
+        metal::connect(search, &mut self.chains, &mut self.found);
     }
 
     /// The spread of the way through that chain of surfaces which leaves x along `wx`; None if it is not one that
@@ -171,6 +173,9 @@ impl Connector {
             kinds: Kinds { bright: true, faint: true },
         };
         self.found.clear();
+        if chain.solids().any(|s| solids.mirror(s).is_some()) {
+            return metal::spread_of(&search, chain, wx);
+        }
         match solids.nests().iter().find(|nest| chain.solids().any(|s| nest.holds(s))) {
             None => flat::connect(&search, [&mut self.line, &mut self.bent], &mut self.found),
             Some(nest) if chain.solids().all(|s| nest.holds(s)) => {

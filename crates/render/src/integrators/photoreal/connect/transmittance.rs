@@ -1,6 +1,6 @@
 //! How much of the light gets along a connection: reflected and passed at its surfaces, faded between them.
 
-use super::{Connection, Ends, found};
+use super::{Connection, Ends, found, metal};
 use crate::compile::Solids;
 use crate::integrators::TileTask;
 use vitrine_math::Rgb;
@@ -18,6 +18,11 @@ pub fn transmittance(task: &TileTask, solids: &Solids, connection: &Connection<'
         let way = *vertex - from;
         tau = tau * solids.transmittance(medium, way.length() as f32);
         let cos = (way.dot(*n) / way.length()).abs() as f32;
+        if let Some(mirror) = solids.mirror(step.solid) {
+            tau = tau * metal::reflected(task.scene, mirror, cos, index(step.before));
+            from = *vertex;
+            continue;
+        }
         let (rs, rp) = fresnel::dielectric_sp(cos, index(step.beyond) / index(step.before));
         if task.settings.unpolarised {
             let r = 0.5 * (rs + rp);
