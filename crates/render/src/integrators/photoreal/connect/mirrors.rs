@@ -142,23 +142,24 @@ impl Mirrors<'_, '_> {
     }
 }
 
-/// Whether a way over a mirror is cheap to solve, for all faces are parallel, or likely to bring much light, for the mirror is met from
-/// inside, behind a face that is not parallel: there light is reflected totally for the most part.
+/// Whether a way over a mirror is cheap to solve, for all faces are parallel, or likely to bring much light, for it may be reflected totally.
+///
+/// Between parallel faces n·sin θ stays as it is, so light that crosses one of them next to the mirror from or to a medium no denser than
+/// what is behind the mirror is never reflected totally.
 fn is_worth_it(search: &Search, all: &[Step]) -> bool {
     let is_parallel = |a: &Step, b: &Step| a.n.dot(b.n).abs() > 1.0 - PARALLEL;
     if all.iter().all(|step| is_parallel(step, &all[0])) {
         return true;
     }
-    let mut entry: Option<&Step> = None;
-    all.iter().all(|step| {
-        if !step.reflects {
-            entry = Some(step);
-            return true;
-        }
-        step.before == step.solid
-            && search.index(step.before) > search.index(step.beyond)
-            && entry.is_none_or(|entry| !is_parallel(entry, step))
-    })
+    let Some(at) = all.iter().position(|step| step.reflects) else { return true };
+    let mirror = &all[at];
+    let behind = search.index(mirror.beyond);
+    let is_denser = |solid: u16| search.index(solid) > behind;
+    let mut before = all[..at].iter().rev().take_while(|step| is_parallel(step, mirror));
+    let mut after = all[at + 1..].iter().take_while(|step| is_parallel(step, mirror));
+    is_denser(mirror.before)
+        && before.all(|step| is_denser(step.before))
+        && after.all(|step| is_denser(step.beyond))
 }
 
 impl Corner {
