@@ -60,6 +60,47 @@ fn through_a_tinted_slab_that_is_turned_at_a_slant() {
 }
 
 #[test]
+fn off_a_mirror_ball() {
+    for color in [Rgb::WHITE, Rgb::new(0.9, 0.6, 0.3)] {
+        let mut shot = floor_at(0.0, 0.0);
+        let mirror = Material {
+            base_metalness: Some(1.0),
+            base_color: Some(color),
+            specular_roughness: Some(0.0),
+            ..Material::default()
+        };
+        put_at(&mut shot, ball(0.8), mirror, v(-1.1, 0.9, 0.0));
+        // What stands in the way of the straight line.
+        put_at(&mut shot, cuboid(v(0.1, 0.8, 4.0)), white(0.5), v(0.6, 1.0, 0.0));
+        bulb(&mut shot, v(1.8, 2.2, 0.2), 0.9, 6.0);
+        both_agree_and_chance_is_noisier(&shot);
+        // The same under water.
+        put_at(&mut shot, cuboid(v(8.0, 8.0, 8.0)), clear(1.33), v(0.0, 3.9, 0.0));
+        both_agree(&shot);
+    }
+}
+
+#[test]
+fn through_the_surface_though_the_straight_line_leaves_by_a_wall() {
+    // Water over the floor; the straight line to the lamp goes through its wall, the light from above through its surface.
+    let mut shot = floor_at(0.0, 0.0);
+    put_at(&mut shot, cuboid(v(2.0, 1.0, 4.0)), clear(1.33), v(-0.55, 0.5, 0.0));
+    bulb(&mut shot, v(2.0, 1.9, 0.1), 0.4, 6.0);
+    both_agree_and_chance_is_noisier(&shot);
+    // The same in glass.
+    put_at(&mut shot, cuboid(v(2.1, 1.1, 4.1)), clear(1.52), v(-0.55, 0.5, 0.0));
+    both_agree_and_chance_is_noisier(&shot);
+}
+
+#[test]
+fn through_a_thick_pane_beside_the_straight_line() {
+    let mut shot = floor_at(0.0, 0.0);
+    put_at(&mut shot, cuboid(v(1.0, 0.8, 4.0)), clear(1.7), v(-0.1, 1.0, 0.0));
+    bulb(&mut shot, v(1.2, 2.2, 0.1), 0.5, 6.0);
+    both_agree(&shot);
+}
+
+#[test]
 fn through_two_panes() {
     let mut shot = floor_at(0.0, 0.0);
     for y in [0.9, 1.1] {

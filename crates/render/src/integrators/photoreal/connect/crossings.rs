@@ -67,6 +67,14 @@ impl Crossings {
         self.steps.is_some().then_some((before, media))
     }
 
+    /// Finds those of the line that is folded in one place, which lies on no surface. Whether connections may be solved through them.
+    pub fn via(&mut self, solids: &Solids, ends: &Ends, fold: DVec3) -> bool {
+        (self.steps, self.there) = (Some(Steps::default()), ends.media);
+        self.add(solids, ends.x, fold, None);
+        self.add(solids, fold, ends.y, None);
+        self.steps.is_some()
+    }
+
     /// Finds those of the line that is reflected in one place.
     pub fn bend(&mut self, solids: &Solids, ends: &Ends, corner: &Corner) {
         (self.steps, self.there) = (Some(Steps::default()), ends.media);

@@ -4,7 +4,7 @@
 use super::crossings::Crossings;
 use super::found::{Found, Leaving};
 use super::solve::solve;
-use super::{Search, Step, Steps, mirrors};
+use super::{Search, Step, Steps, detours, mirrors};
 use crate::compile::Piece;
 
 /// The most reflections to and fro inside a pane that are solved: the rest carries a millionth of the light.
@@ -20,6 +20,9 @@ pub fn connect(search: &Search, [line, bent]: [&mut Crossings; 2], found: &mut F
         if kinds.faint {
             echoes(search, steps, found);
         }
+    }
+    if kinds.bright {
+        detours::connect(search, line.steps().map(Steps::chain).as_ref(), bent, found);
     }
     if kinds.faint {
         mirrors::connect(search, bent, found);

@@ -5,7 +5,8 @@
 //! mirror to y, and what that crosses are the surfaces of the way, as the straight line says those of a way without a mirror.
 
 use super::super::chain::Face;
-use super::crossings::{Corner, Crossings, unit};
+use super::block::{Block, Side};
+use super::crossings::{Corner, Crossings};
 use super::flat::offer;
 use super::found::Found;
 use super::solve::PARALLEL;
@@ -22,14 +23,11 @@ pub fn connect(search: &Search, bent: &mut Crossings, found: &mut Found) {
     for &solid in search.solids.clear() {
         match search.solids.get(solid).piece {
             Some(Piece::Below { n, offset }) => mirrors.plane(solid, n.as_dvec3(), offset.into()),
-            Some(Piece::Block { center, axes, half }) => {
-                let axes = axes.map(unit);
-                let local = |p: DVec3| DVec3::from_array(axes.map(|axis| axis.dot(p - center.as_dvec3())));
-                let (x, y) = (local(search.ends.x), local(search.ends.y));
-                let block = Block { solid, center: center.as_dvec3(), axes, half: half.map(f64::from), x, y };
-                mirrors.block(&block);
+            _ => {
+                if let Some(block) = Block::new(search, solid) {
+                    mirrors.block(&block);
+                }
             }
-            _ => {}
         }
         if mirrors.left == 0 {
             return;
@@ -37,39 +35,11 @@ pub fn connect(search: &Search, bent: &mut Crossings, found: &mut Found) {
     }
 }
 
-/// A block with the ends in its own space, where its middle is the origin.
-struct Block {
-    solid: u16,
-    center: DVec3,
-    axes: [DVec3; 3],
-    half: [f64; 3],
-    x: DVec3,
-    y: DVec3,
-}
-
-/// One of its faces.
-#[derive(Clone, Copy)]
-struct Side {
-    axis: usize,
-    sign: f64,
-}
-
 impl Block {
-    /// How far beyond a face the two ends are.
-    fn heights(&self, side: Side) -> [f64; 2] {
-        let Side { axis, sign } = side;
-        [self.x, self.y].map(|p| p[axis] * sign - self.half[axis])
-    }
-
-    /// Whether a point is on the block, seen along an axis.
-    fn covers(&self, p: DVec3, axis: usize) -> bool {
-        (0..3).filter(|k| *k != axis).all(|k| p[k].abs() <= self.half[k])
-    }
-
     fn corner(&self, side: Side, p: DVec3, is_outside: bool) -> Corner {
         let Side { axis, sign } = side;
         let n = self.axes[axis] * sign;
-        let p = self.center + self.axes[0] * p.x + self.axes[1] * p.y + self.axes[2] * p.z;
+        let p = self.world(p);
         let offset = n.dot(self.center) + self.half[axis];
         Corner {
             p,
@@ -113,12 +83,9 @@ impl Mirrors<'_, '_> {
     }
 
     fn block(&mut self, block: &Block) {
-        for axis in 0..3 {
-            for sign in [-1.0, 1.0] {
-                let side = Side { axis, sign };
-                if let Some(corner) = block.at(side) {
-                    self.over(&corner);
-                }
+        for side in Side::all() {
+            if let Some(corner) = block.at(side) {
+                self.over(&corner);
             }
         }
     }

@@ -6,7 +6,9 @@
 //! chance: it costs noise, never light.
 
 mod balls;
+mod block;
 mod crossings;
+mod detours;
 mod flat;
 mod found;
 mod metal;
