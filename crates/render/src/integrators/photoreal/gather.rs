@@ -8,9 +8,9 @@ use crate::lights::{LightPoint, LightSample};
 use vitrine_math::{DVec3, Rgb, Vec3, offset_origin};
 use vitrine_optics::dispersion;
 
-/// How often ways with reflections are looked for from vertices that the camera does not see: to solve them takes most of the time there, and
-/// they bring little light.
-const REFLECTIONS: f32 = 0.25;
+/// How often rare ways are looked for from vertices that the camera does not see: to solve them takes most of the time there, and they bring
+/// little light.
+const RARE: f32 = 0.25;
 
 /// Light that would add less to a pixel than this is faint: a two hundredth of white.
 const FAINT: f32 = 0.005;
@@ -42,9 +42,9 @@ impl Tools<'_, '_> {
             (path.wavelength, Rgb::WHITE)
         };
         let ends = Ends { x, y, media, wavelength };
-        let share = if path.is_seen { 1.0 } else { REFLECTIONS };
-        let with_reflections = share == 1.0 || path.one(Draw::Reflections) < share;
-        self.connector.connect(&photoreal.solids, &ends, with_reflections);
+        let share = if path.is_seen { 1.0 } else { RARE };
+        let with_rare = share == 1.0 || path.one(Draw::Rare) < share;
+        self.connector.connect(&photoreal.solids, &ends, with_rare);
         let found = std::mem::take(&mut self.connector.found);
         for (number, connection) in found.iter().enumerate() {
             let is_colored = connection.nodes.iter().any(|node| {
@@ -53,7 +53,7 @@ impl Tools<'_, '_> {
                     .any(|m| photoreal.solids.substance(*m).is_some_and(|m| m.is_dispersive))
             });
             let response = if is_colored { response } else { Rgb::WHITE };
-            let response = if number < self.connector.bright { response } else { response / share };
+            let response = if number < self.connector.plain { response } else { response / share };
             self.offer(
                 path,
                 vertex,

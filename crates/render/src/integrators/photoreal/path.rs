@@ -25,8 +25,8 @@ pub enum Draw {
     ConnectionWavelength = 6,
     /// How far light goes in milky glass.
     Distance = 7,
-    /// Whether ways with reflections are looked for.
-    Reflections = 8,
+    /// Whether rare ways of light are looked for.
+    Rare = 8,
     /// Whether faint light is worth a shadow ray: this one and those after it, one for each connection.
     Faint = 9,
 }

@@ -96,12 +96,12 @@ impl<'a> Around<'a> {
                 try_one(&course, &steps);
             }
         };
-        if kinds.bright {
+        if kinds.plain {
             for depth in deepest..=count {
                 offer(Course::through(within, depth));
             }
         }
-        if !kinds.faint {
+        if !kinds.rare {
             return;
         }
         for mirror in deepest..count {

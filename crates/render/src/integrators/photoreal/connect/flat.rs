@@ -14,17 +14,15 @@ const MOST_ECHOES: usize = 2;
 pub fn connect(search: &Search, [line, bent]: [&mut Crossings; 2], found: &mut Found) {
     let kinds = search.kinds;
     if let Some(steps) = line.steps() {
-        if kinds.bright {
+        if kinds.plain {
             if steps.all().is_empty() { straight(search, found) } else { offer(search, steps, found) }
         }
-        if kinds.faint {
+        if kinds.rare {
             echoes(search, steps, found);
         }
     }
-    if kinds.bright {
+    if kinds.rare {
         detours::connect(search, line.steps().map(Steps::chain).as_ref(), bent, found);
-    }
-    if kinds.faint {
         mirrors::connect(search, bent, found);
     }
 }

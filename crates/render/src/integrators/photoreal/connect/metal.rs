@@ -11,7 +11,7 @@ use vitrine_optics::connect::{Chains, Target};
 
 /// Adds the way off each ball on which nothing else is met.
 pub fn connect(search: &Search, chains: &mut Chains, found: &mut Found) {
-    if !search.kinds.bright {
+    if !search.kinds.plain {
         return;
     }
     for (number, mirror) in search.solids.mirrors() {

@@ -33,8 +33,8 @@ pub fn connect(search: &Search, nest: &Nest, tools: (&mut Crossings, &mut Chains
     let (deepest, count) = (i.max(j), nest.balls.len());
     let through = (deepest..=count).filter_map(|depth| Course::through(around.within, depth));
     let off = (deepest..count).filter_map(|mirror| Course::back(around.within, mirror));
-    let through = through.filter(|_| search.kinds.bright);
-    let off = off.filter(|_| search.kinds.faint);
+    let through = through.filter(|_| search.kinds.plain);
+    let off = off.filter(|_| search.kinds.rare);
     for course in through.chain(off).filter(|course| !course.meetings().is_empty()) {
         let Some(steps) = around.steps(&course).and_then(|steps| spliced(faces, before, &steps)) else {
             continue;

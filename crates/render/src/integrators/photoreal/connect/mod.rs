@@ -124,14 +124,14 @@ pub struct Connector {
     chains: Chains,
     /// What has been found.
     pub found: Found,
-    /// How many of those, the first, are not faint.
-    pub bright: usize,
+    /// How many of those, the first, are not rare.
+    pub plain: usize,
 }
 
 impl Connector {
-    /// All connections, the faint ones only if they are wanted. Where there is no clear solid the straight line is all, and this need
+    /// All connections, the rare ones only if they are wanted. Where there is no clear solid the straight line is all, and this need
     /// not be called.
-    pub fn connect(&mut self, solids: &Solids, ends: &Ends, with_faint: bool) {
+    pub fn connect(&mut self, solids: &Solids, ends: &Ends, with_rare: bool) {
         self.line.find(solids, ends);
         self.found.clear();
         let mut search = Search {
@@ -139,12 +139,12 @@ impl Connector {
             ends,
             there: self.line.there(),
             only: None,
-            kinds: Kinds { bright: true, faint: false },
+            kinds: Kinds { plain: true, rare: false },
         };
         self.look(&search);
-        self.bright = self.found.len();
-        if with_faint {
-            search.kinds = Kinds { bright: false, faint: true };
+        self.plain = self.found.len();
+        if with_rare {
+            search.kinds = Kinds { plain: false, rare: true };
             self.look(&search);
         }
     }
@@ -172,7 +172,7 @@ impl Connector {
             ends,
             there: self.line.there(),
             only: Some(chain),
-            kinds: Kinds { bright: true, faint: true },
+            kinds: Kinds { plain: true, rare: true },
         };
         self.found.clear();
         if chain.solids().any(|s| solids.mirror(s).is_some()) {
@@ -192,13 +192,14 @@ impl Connector {
     }
 }
 
-/// Kinds of ways: those straight through all surfaces bring most of the light, those with a reflection mostly a few hundredths of it.
+/// Kinds of ways: those that the straight line shows, and through balls and off metal, bring most of the light. The others take most of the
+/// time to look for.
 #[derive(Clone, Copy, Debug)]
 struct Kinds {
-    /// Without reflections.
-    bright: bool,
-    /// With reflections.
-    faint: bool,
+    /// Through the surfaces that the straight line crosses, through balls and off metal.
+    plain: bool,
+    /// With reflections in glass, and through other faces.
+    rare: bool,
 }
 
 /// What is searched for.
