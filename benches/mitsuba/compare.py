@@ -37,9 +37,8 @@ import numpy as np
 
 ROOT = Path(__file__).resolve().parents[2]
 SCENES = ["pane", "tank", "case", "ball", "cornell", "diffuse"]
-# Samples a pixel of each run. Mitsuba has more, so that a rare bright path is not missed by all of its runs.
-VITRINE_SAMPLES = 64
-MITSUBA_SAMPLES = 64
+# Samples a pixel of each run, of both programs.
+SAMPLES = 64
 # Pixels along the edge of the blocks in which the difference is searched for structure.
 BLOCK = 8
 MOST_OFF = 0.005
@@ -63,11 +62,11 @@ class Vitrine:
     def __init__(self, binaries, scene, folder):
         self.program, self.scene, self.folder = binaries / "vitrine", scene, folder
 
-    def render(self, seed, samples=VITRINE_SAMPLES):
+    def render(self, seed):
         out = self.folder / "vitrine.exr"
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
         subprocess.run(
-            [self.program, "render", self.scene, "-o", out, "--samples", str(samples), "--threads", "1"]
+            [self.program, "render", self.scene, "-o", out, "--samples", str(SAMPLES), "--threads", "1"]
             + ["--set", f"settings.seed={seed}"],
             check=True,
             capture_output=True,
@@ -86,9 +85,9 @@ class Mitsuba:
             text = text.replace('<rfilter type="gaussian"/>', '<rfilter type="box"/>')
         self.scene = mi.load_string(text)
 
-    def render(self, seed, samples=MITSUBA_SAMPLES):
+    def render(self, seed):
         start = time.process_time()
-        picture = np.array(mi.render(self.scene, spp=samples, seed=seed), dtype=np.float64)
+        picture = np.array(mi.render(self.scene, spp=SAMPLES, seed=seed), dtype=np.float64)
         return picture[..., :3], time.process_time() - start
 
 
@@ -184,10 +183,10 @@ def compare(name, binaries, options):
 
     ours = repeat(Vitrine(binaries, scene, folder), options.seconds / 4, options.runs, 1)
     write(folder / "vitrine-mean.exr", ours.mean())
-    row = {"scene": name, "ours": ours.cost(ours.mean()), "ours_rate": rate(ours, VITRINE_SAMPLES)}
+    row = {"scene": name, "ours": ours.cost(ours.mean()), "ours_rate": rate(ours)}
     for variant in ("scalar_rgb", "llvm_ad_rgb"):
         box = repeat_mitsuba(variant, xml, True, options.seconds / 2, options.runs, 1)
-        found = {"variant": variant, "theirs": box.cost(ours.mean()), "rate": rate(box, MITSUBA_SAMPLES)}
+        found = {"variant": variant, "theirs": box.cost(ours.mean()), "rate": rate(box)}
         # Of two, the one that draws more samples a second: their noise is the same.
         if "rate" not in row or found["rate"] > row["rate"]:
             row.update(found)
@@ -202,9 +201,9 @@ def compare(name, binaries, options):
     return row
 
 
-def rate(runs, samples):
+def rate(runs):
     """Millions of samples a CPU second."""
-    return runs.count * samples * runs.mean().shape[0] * runs.mean().shape[1] / runs.seconds / 1e6
+    return runs.count * SAMPLES * runs.mean().shape[0] * runs.mean().shape[1] / runs.seconds / 1e6
 
 
 def is_wrong(row):
